@@ -76,7 +76,7 @@ void main() {
         float seen = clamp(1.5 - 3.0 * footprint, 0.0, 1.0);
         float uneven = 0.6 + 0.8 * value_noise(vec3(turns * 0.37, 3.0, 7.0));
         lean = draw.surface.z * uneven *
-               sin(6.2831853 * turns + 4.0 * value_noise(vec3(turns * 0.21, 1.0, 2.0))) * seen;
+               sin(2.0 * kPi * turns + 4.0 * value_noise(vec3(turns * 0.21, 1.0, 2.0))) * seen;
     }
     vec3 leaning = normalize(n + radial * lean);
 
@@ -103,7 +103,7 @@ void main() {
         reflected += fraction * sky_radiance(reflect(-v, fan), roughness);
     }
     gloss *= seen;
-    vec3 key_light = frame.key_radiance.rgb * (body * lit + f0 * gloss * 3.14159265);
+    vec3 key_light = frame.key_radiance.rgb * (body * lit + f0 * gloss * kPi);
     vec3 mirror = f0 + (max(vec3(1.0 - roughness), f0) - f0) * grazing(n_v);
     vec3 shade = open_sky_colour(open_sky, albedo);
     vec3 ambient = body * sky_diffuse(leaning) * shade + mirror * reflected * open_sky;

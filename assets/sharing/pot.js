@@ -24,7 +24,8 @@ uniform vec3 colour; uniform vec3 eye; uniform float gloss; uniform vec2 rim;  /
 out vec4 light;
 const vec3 SUN = vec3(-0.56, 0.62, 0.55);
 vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
-vec3 shown(vec3 c) { c = c / (0.82 * c + 0.36); return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+// The tone curve of the wheel's screen: the build puts the numbers of shaders/curve.h in.
+vec3 shown(vec3 c) { c = c / (@kCurveSlope@ * c + @kCurveFoot@); return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
 // What is mirrored: a warm room, a window before and to the left of the pot, a lighter floor.
 vec3 room(vec3 r, float blur) {
   vec3 c = mix(vec3(0.15, 0.11, 0.07), vec3(0.05, 0.04, 0.03), smoothstep(0.0, 0.9, abs(r.y)));

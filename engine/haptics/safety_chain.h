@@ -25,7 +25,8 @@ namespace onggi::haptics {
 // Every number of the safety chain in one place, and how a device's own limits lower them. Plain values; any
 // thread. mm, N, s, mJ (N mm).
 
-// The kiosk's profile; a weaker device lowers it, a stronger one never raises it.
+// The kiosk's profile, for every device and every stage; a weaker device lowers it, a stronger one never
+// raises it.
 constexpr double kKioskPeakForceN = 3.3;
 constexpr double kKioskContinuousForceN = 0.88;
 
@@ -64,7 +65,7 @@ struct SafetyLimits {
     double peak_force_n = kKioskPeakForceN;
     // slew
     double slew_n_per_s = 200.0;      // how fast the force may grow or turn
-    double release_n_per_s = 2000.0;  // how fast it may fall: 3.3 N are gone in 2 ms
+    double release_n_per_s = 2000.0;  // how fast it may fall: the peak is gone in 2 ms
 };
 
 // The kiosk's profile, lowered to what the device can give. A device without motors (a picture of a tool) has

@@ -1,5 +1,7 @@
 #include "engine/haptics/simulated_device.h"
 
+#include "engine/haptics/safety_chain.h"
+
 namespace onggi::haptics {
 
 void SimulatedDevice::set_target(const ToolState& target) noexcept {
@@ -27,8 +29,8 @@ void SimulatedDevice::rest() noexcept {
 DeviceCapabilities SimulatedDevice::capabilities() const {
     return {.name = "simulated device (mouse or touch)",
             .force_axes = 3,
-            .peak_force_n = 3.3,
-            .continuous_force_n = 3.3,
+            .peak_force_n = kKioskPeakForceN,
+            .continuous_force_n = kKioskPeakForceN,
             .max_stiffness_n_per_mm = 0.5,
             .position_resolution_mm = 0.0,
             .has_motors = false};

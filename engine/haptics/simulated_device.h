@@ -21,7 +21,7 @@ namespace onggi::haptics {
 
 struct SimulatedDeviceModel {
     double mass_kg = 0.02;
-    // 3.3 N hold the tool 16.5 mm behind the hand.
+    // The kiosk's peak force holds the tool 16.5 mm behind the hand.
     double coupling_n_per_mm = 0.2;
     // Critical: 2 sqrt(k m), no overshoot; the tool settles in about 60 ms.
     double damping_n_s_per_mm = 0.004;

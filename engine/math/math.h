@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numbers>
 
 namespace onggi {
 
@@ -24,5 +25,11 @@ using glm::quat;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
+
+// Half a turn and a whole one, rad; with an F where the sum is of floats.
+constexpr double kPi = std::numbers::pi;
+constexpr double kTurn = 2.0 * kPi;
+constexpr auto kPiF = static_cast<float>(kPi);
+constexpr auto kTurnF = static_cast<float>(kTurn);
 
 }  // namespace onggi

@@ -2,20 +2,15 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "engine/math/eight_bits.h"
+#include "engine/math/light.h"
 
 namespace onggi::render {
 namespace {
 
-// Decodes an 8-bit sRGB value, IEC 61966-2-1.
-float linear_of(int value) {
-    const float v = static_cast<float>(value) / 255.0F;
-    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
-// The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018:
-// every prefix of the sequence is evenly distributed.
+// The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018: any
+// first part of it is spread evenly.
 dvec2 spread(int index, double offset) {
     constexpr double kStepX = 0.7548776662466927;
     constexpr double kStepY = 0.5698402909980532;
@@ -26,8 +21,7 @@ dvec2 spread(int index, double offset) {
 }  // namespace
 
 std::uint8_t srgb_byte(float light) {
-    const float v = light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
-    return eight_bits(v);
+    return eight_bits(srgb_from_linear(light));
 }
 
 Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) {
@@ -38,7 +32,7 @@ Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) 
     // Samples the light's disc evenly. Each sample keeps a smaller light, which covers the gaps between the
     // samples.
     const dvec2 on_light = spread(index, 0.25);
-    const double angle = 2.0 * std::numbers::pi * on_light.x;
+    const double angle = kTurn * on_light.x;
     const double off = std::sqrt(on_light.y) * std::tan(double{scene.key.angular_radius_rad});
     const dvec3 l(scene.key.towards_light);
     const dvec3 side =
@@ -60,7 +54,7 @@ void Accumulation::add(std::span<const std::uint8_t> rgba) {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> values{};
         for (int value = 0; value < 256; ++value)
-            values[static_cast<std::size_t>(value)] = linear_of(value);
+            values[static_cast<std::size_t>(value)] = linear_from_srgb(static_cast<float>(value) / 255.0F);
         return values;
     }();
     for (std::size_t pixel = 0; pixel < light_.size() / 3; ++pixel) {

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace onggi::render {
 namespace {
 
-constexpr float kTwoPi = 2.0F * std::numbers::pi_v<float>;
 constexpr float kCosOfCorner = 0.82F;  // 35 degrees
 
 // A row of vertices: an outline point with its normal in the half plane. A corner makes two rows.
@@ -82,7 +80,7 @@ float open_sky_at(const Row& row, std::span<const Profile> profiles) {
         const float out = std::sqrt((static_cast<float>(ring) + 0.5F) / kRings);
         for (int spoke = 0; spoke < kSpokes; ++spoke) {
             const float angle =
-                kTwoPi * (static_cast<float>(spoke) + 0.5F * static_cast<float>(ring % 2)) / kSpokes;
+                kTurnF * (static_cast<float>(spoke) + 0.5F * static_cast<float>(ring % 2)) / kSpokes;
             const vec3 d = out * (std::cos(angle) * along + std::sin(angle) * around) +
                            std::sqrt(1.0F - out * out) * normal;
             const bool is_blocked =
@@ -106,7 +104,7 @@ Mesh turned_mesh(const Profile& profile, int sectors) {
     const auto row_size = static_cast<std::uint32_t>(sectors + 1);
     for (const Row& row : rows) {
         for (int sector = 0; sector <= sectors; ++sector) {
-            const float angle = kTwoPi * static_cast<float>(sector % sectors) / static_cast<float>(sectors);
+            const float angle = kTurnF * static_cast<float>(sector % sectors) / static_cast<float>(sectors);
             const float c = std::cos(angle);
             const float s = std::sin(angle);
             mesh.vertices.push_back({.position_mm = {row.point.x * c, row.point.y, row.point.x * s},
@@ -130,7 +128,7 @@ Mesh turned_mesh(const Profile& profile, int sectors) {
 Mesh sphere_mesh(int rows, int sectors) {
     Profile profile;
     for (int row = 0; row <= rows; ++row) {
-        const float angle = std::numbers::pi_v<float> * static_cast<float>(row) / static_cast<float>(rows);
+        const float angle = kPiF * static_cast<float>(row) / static_cast<float>(rows);
         const bool is_pole = row == 0 || row == rows;
         profile.points.emplace_back(is_pole ? 0.0F : std::sin(angle), -std::cos(angle));
     }

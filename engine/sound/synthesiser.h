@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 namespace onggi::sound {
@@ -102,7 +103,7 @@ class Filter {
     // damping: 2 is no resonance at all, 0.2 a narrow band.
     Out step(double input, double frequency_hz, double damping) noexcept {
         const double turn =
-            3.14159265358979 * std::clamp(frequency_hz, 1.0, kSampleRateHz / 6.5) / kSampleRateHz;
+            std::numbers::pi * std::clamp(frequency_hz, 1.0, kSampleRateHz / 6.5) / kSampleRateHz;
         const double tuning = 2.0 * (turn - turn * turn * turn / 6.0);  // 2 sin(turn), to the third power
         low_ += tuning * band_;
         const double high = input - low_ - damping * band_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/math/luminance.h"
+#include "engine/math/light.h"
 
 namespace onggi::ui {
 
@@ -36,10 +36,8 @@ struct Colour {
 }
 
 [[nodiscard]] inline float luminance(const Colour& colour) {
-    const auto linear = [](float value) {
-        return value <= 0.03928F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
-    };
-    return onggi::luminance({linear(colour.r), linear(colour.g), linear(colour.b)});
+    return onggi::luminance(
+        {linear_from_srgb(colour.r), linear_from_srgb(colour.g), linear_from_srgb(colour.b)});
 }
 
 // Of two opaque colours.

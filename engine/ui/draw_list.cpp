@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/core/hash.h"
 #include "engine/math/eight_bits.h"
@@ -82,7 +81,7 @@ void DrawList::add_disc(vec2 centre, float radius_px, const Colour& colour) {
     constexpr int kCorners = 28;
     std::array<vec2, kCorners + 1> circle;
     for (std::size_t i = 0; i < circle.size(); ++i) {
-        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
+        const float angle = kTurnF * static_cast<float>(i) / kCorners;
         circle[i] = centre + radius_px * vec2(std::cos(angle), std::sin(angle));
     }
     add_polygon(std::span(circle).first(kCorners), colour);

@@ -8,12 +8,12 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "engine/math/math.h"
 #include "engine/ui/painting.h"
 #include "engine/ui/path.h"
 #include "engine/ui/sketch.h"
@@ -45,7 +45,6 @@ using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
 using Cairo = std::unique_ptr<cairo_t, DestroyCairo>;
 using Pattern = std::unique_ptr<cairo_pattern_t, DestroyPattern>;
 
-constexpr double kHalfTurn = std::numbers::pi;
 
 void set_colour(cairo_t* cairo, const Colour& colour) {
     cairo_set_source_rgba(cairo, double{colour.r}, double{colour.g}, double{colour.b}, double{colour.a});
@@ -58,10 +57,10 @@ void rounded_rect(cairo_t* cairo, const Rect& rect, float radius) {
     const double top = double{rect.y} + r;
     const double bottom = double{rect.bottom()} - r;
     cairo_new_sub_path(cairo);
-    cairo_arc(cairo, right, top, r, -0.5 * kHalfTurn, 0.0);
-    cairo_arc(cairo, right, bottom, r, 0.0, 0.5 * kHalfTurn);
-    cairo_arc(cairo, left, bottom, r, 0.5 * kHalfTurn, kHalfTurn);
-    cairo_arc(cairo, left, top, r, kHalfTurn, 1.5 * kHalfTurn);
+    cairo_arc(cairo, right, top, r, -0.5 * kPi, 0.0);
+    cairo_arc(cairo, right, bottom, r, 0.0, 0.5 * kPi);
+    cairo_arc(cairo, left, bottom, r, 0.5 * kPi, kPi);
+    cairo_arc(cairo, left, top, r, kPi, 1.5 * kPi);
     cairo_close_path(cairo);
 }
 
@@ -200,7 +199,7 @@ void draw(cairo_t* cairo, const Ellipse& ellipse) {
     cairo_translate(cairo, double{centre.x}, double{centre.y});
     cairo_scale(cairo, 0.5 * double{ellipse.rect.width}, 0.5 * double{ellipse.rect.height});
     cairo_new_sub_path(cairo);
-    cairo_arc(cairo, 0.0, 0.0, 1.0, 0.0, 2.0 * kHalfTurn);
+    cairo_arc(cairo, 0.0, 0.0, 1.0, 0.0, kTurn);
     cairo_restore(cairo);
     set_fill(cairo, ellipse.fill, ellipse.rect);
     cairo_fill(cairo);

@@ -6,14 +6,11 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 #include "engine/core/quote.h"
 
 namespace onggi::ui {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 class PathReader {
   public:
@@ -133,7 +130,7 @@ class PathReader {
             line_to(to);
             return {};
         }
-        const float turn = turn_degrees * kPi / 180.0F;
+        const float turn = turn_degrees * kPiF / 180.0F;
         const vec2 axis(std::cos(turn), std::sin(turn));
         const vec2 half = 0.5F * (here_ - to);
         const vec2 p(axis.x * half.x + axis.y * half.y, -axis.y * half.x + axis.x * half.y);
@@ -148,9 +145,9 @@ class PathReader {
             vec2(axis.x * c.x - axis.y * c.y, axis.y * c.x + axis.x * c.y) + 0.5F * (here_ + to);
         const float from_angle = std::atan2((p.y - c.y) / radius.y, (p.x - c.x) / radius.x);
         float span = std::atan2((-p.y - c.y) / radius.y, (-p.x - c.x) / radius.x) - from_angle;
-        if (sweep != 0.0F && span < 0.0F) span += 2.0F * kPi;
-        if (sweep == 0.0F && span > 0.0F) span -= 2.0F * kPi;
-        const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(span) / (0.5F * kPi) - 1e-4F)));
+        if (sweep != 0.0F && span < 0.0F) span += kTurnF;
+        if (sweep == 0.0F && span > 0.0F) span -= kTurnF;
+        const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(span) / (0.5F * kPiF) - 1e-4F)));
         const float step = span / static_cast<float>(pieces);
         const float reach = 4.0F / 3.0F * std::tan(0.25F * step);
         const auto out = [&](vec2 q) {

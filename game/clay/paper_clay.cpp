@@ -6,7 +6,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "game/clay/bounds.h"
@@ -137,7 +136,7 @@ double PaperClay::volume_mm3() const {
     for (const float radius : radii_mm()) {
         squares_mm2 += static_cast<double>(radius) * static_cast<double>(radius);
     }
-    return std::numbers::pi * squares_mm2 * element_height_mm();
+    return kPi * squares_mm2 * element_height_mm();
 }
 
 void PaperClay::use_kernel(KernelVariant variant) {

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace onggi::decoration {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 // A ring of the wall as a part of a cone: its radius at the middle of one row and of another.
 struct Ring {

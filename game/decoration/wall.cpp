@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 namespace onggi::decoration {
 namespace {
@@ -49,7 +48,7 @@ Wall wall_of(std::span<const vec2> outline) {
         along += row == 0 ? 0.5F * step_mm : step;
         before = radius_mm[row];
         wall.along_mm[row] = along;
-        wall.round_mm[row] = std::max(2.0F * std::numbers::pi_v<float> * radius_mm[row], kLeastRoundMm);
+        wall.round_mm[row] = std::max(kTurnF * radius_mm[row], kLeastRoundMm);
     }
     return wall;
 }

@@ -12,6 +12,7 @@
 #include "engine/asset/stl.h"
 #include "engine/asset/three_mf.h"
 #include "game/exporter/pot_solid.h"
+#include "game/finish/clay_body.h"
 
 namespace onggi::exporter {
 namespace {
@@ -31,7 +32,7 @@ char to_lower(char c) {
 // Stoneware as the wheel shows it, without the gloss of its water.
 asset::Material stoneware() {
     return {.name = "stoneware",
-            .base_colour_linear = dvec3(0.36, 0.29, 0.215),
+            .base_colour_linear = finish::kStoneware.raw,
             .roughness = 0.62,
             .metallic = 0.0};
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace onggi::exporter {
 namespace {
@@ -54,7 +53,7 @@ PotRings rings_of(double height_mm, std::span<const float> radii_mm) {
         sum_of_squares += radius_mm * radius_mm;
     }
     pot.edge_mm.push_back(height_mm);
-    if (!radii_mm.empty()) pot.volume_mm3 = std::numbers::pi * sum_of_squares * height_mm / count;
+    if (!radii_mm.empty()) pot.volume_mm3 = kPi * sum_of_squares * height_mm / count;
     return pot;
 }
 

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "engine/math/light.h"
+#include "game/finish/clay_body.h"
+
 namespace onggi::exporter {
 namespace {
 
@@ -12,43 +15,6 @@ using clay::ClayBody;
 using clay::Firing;
 
 constexpr double kWallStepMm = 5.0;
-
-// Linear reflectance of the fired surface without a glaze.
-dvec3 dry_colour(ClayBody body) {
-    switch (body) {
-        case ClayBody::kStoneware:
-            return {0.36, 0.29, 0.215};
-        case ClayBody::kPorcelain:
-            return {0.72, 0.69, 0.63};
-        case ClayBody::kEarthenware:
-            return {0.40, 0.155, 0.075};
-    }
-    return dvec3(0.5);
-}
-
-// Iron in the clay turns red in the bisque fire; porcelain has none.
-dvec3 bisque_colour(ClayBody body) {
-    return body == ClayBody::kPorcelain ? dvec3(0.76, 0.71, 0.64) : dvec3(0.60, 0.33, 0.20);
-}
-
-dvec3 glazed_colour(ClayBody body) {
-    switch (body) {
-        case ClayBody::kStoneware:
-            return {0.30, 0.40, 0.31};
-        case ClayBody::kPorcelain:
-            return {0.74, 0.74, 0.70};
-        case ClayBody::kEarthenware:
-            return {0.34, 0.11, 0.05};
-    }
-    return dvec3(0.5);
-}
-
-// Water between grains sends part of the light back inside, p of it: A (1 - p)/(1 - p A), after Lekner and
-// Dorf. What is dark gets darker, what is pale hardly.
-dvec3 wetted(const dvec3& dry) {
-    constexpr double kTurnedBack = 0.66;
-    return dry * (1.0 - kTurnedBack) / (dvec3(1.0) - kTurnedBack * dry);
-}
 
 double micrometres(double length_mm) {
     return std::round(length_mm * 1e3) * 1e-3;
@@ -83,24 +49,25 @@ std::string_view name_of(Firing stage) {
 }
 
 asset::Material pot_material(ClayBody body, Firing stage) {
+    const finish::BodyLook& look = finish::look_of(body);
     asset::Material material{
         .name = fmt::format("{} {}", stage == Firing::kGlaze ? "glazed" : name_of(stage), name_of(body))};
     switch (stage) {
         case Firing::kWet:
-            material.base_colour_linear = wetted(dry_colour(body));
+            material.base_colour_linear = wet_albedo(look.raw);
             material.roughness = 0.55;
             material.clearcoat = {.factor = 0.6, .roughness = 0.2};
             break;
         case Firing::kDry:
-            material.base_colour_linear = dry_colour(body);
+            material.base_colour_linear = look.bone_dry;
             material.roughness = 0.9;
             break;
         case Firing::kBisque:
-            material.base_colour_linear = bisque_colour(body);
+            material.base_colour_linear = look.bisque;
             material.roughness = 0.85;
             break;
         case Firing::kGlaze:
-            material.base_colour_linear = glazed_colour(body);
+            material.base_colour_linear = look.glazed;
             material.roughness = 0.45;
             material.clearcoat = {.factor = 1.0, .roughness = 0.08};
             break;

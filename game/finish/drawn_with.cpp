@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/math/luminance.h"
+#include "engine/math/light.h"
 #include "game/decoration/motifs.h"
 #include "game/finish/mark_colour.h"
 

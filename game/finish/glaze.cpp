@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "engine/math/light.h"
 
 namespace onggi::finish {
 namespace {
@@ -10,8 +11,7 @@ namespace {
 // From the colours a museum's photographs show, taken back to linear light.
 vec3 linear(int rgb) {
     const auto one = [&](int shift) {
-        const float value = static_cast<float>((rgb >> shift) & 255) / 255.0F;
-        return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+        return linear_from_srgb(static_cast<float>((rgb >> shift) & 255) / 255.0F);
     };
     return {one(16), one(8), one(0)};
 }

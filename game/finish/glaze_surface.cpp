@@ -1,7 +1,6 @@
 #include "game/finish/glaze_surface.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "engine/math/lattice.h"
 
@@ -24,13 +23,12 @@ float noise(float x, float y) {
 // from one runs into what would come next on the other.
 template <typename Look>
 auto closed(GlazePlace at, const Look& look) {
-    constexpr float kHalfTurn = std::numbers::pi_v<float>;
-    constexpr float kSeamRad = 0.24F * kHalfTurn;
-    at.angle -= 2.0F * kHalfTurn * std::floor((at.angle + kHalfTurn) / (2.0F * kHalfTurn));
+    constexpr float kSeamRad = 0.24F * kPiF;
+    at.angle -= kTurnF * std::floor((at.angle + kPiF) / kTurnF);
     const auto here = look(at);
-    const float past_seam = (at.angle + kHalfTurn) / kSeamRad;
+    const float past_seam = (at.angle + kPiF) / kSeamRad;
     if (past_seam >= 1.0F) return here;
-    at.angle += 2.0F * kHalfTurn;
+    at.angle += kTurnF;
     return glm::mix(look(at), here, glm::smoothstep(0.0F, 1.0F, past_seam));
 }
 

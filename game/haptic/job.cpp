@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "engine/haptics/haptic_device.h"
@@ -38,7 +37,7 @@ haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
     // The force at which a wall of that thickness bends aside: the studio clay's own limit (force.h).
     const double strength_n_mm2 =
         static_cast<double>(rings.strength_kpa[static_cast<std::size_t>(ring)]) / kKpaPerNMm2;
-    felt.most_force_n = 2.0 * std::numbers::pi * strength_n_mm2 * felt.wall_mm * felt.wall_mm;
+    felt.most_force_n = kTurn * strength_n_mm2 * felt.wall_mm * felt.wall_mm;
     return felt;
 }
 

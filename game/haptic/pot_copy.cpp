@@ -10,7 +10,7 @@ namespace {
 // Duration of a copy of a studio pot: two a frame at 60 Hz.
 constexpr double kCopyS = 1.0 / 120.0;
 
-constexpr std::size_t kDents = static_cast<std::size_t>(kDentRows) * pot::kDentSectors;
+constexpr std::size_t kDents = static_cast<std::size_t>(kDentRows) * kDentSectors;
 
 // Column by column, so that the loops vectorise. No column grows beyond its capacity.
 void copy_rings(pot::Pot& pot, const clay::studio::Rings& rings) noexcept {
@@ -41,9 +41,9 @@ void copy_rings(pot::Pot& pot, const clay::studio::Rings& rings) noexcept {
 // Averages the residuals in each sector of the map.
 void copy_dent_row(std::span<const float> row, float* out) {
     const std::size_t sectors = row.size();
-    for (std::size_t s = 0; s < pot::kDentSectors; ++s) {
-        const std::size_t first = s * sectors / pot::kDentSectors;
-        const std::size_t end = std::max((s + 1) * sectors / pot::kDentSectors, first + 1);
+    for (std::size_t s = 0; s < kDentSectors; ++s) {
+        const std::size_t first = s * sectors / kDentSectors;
+        const std::size_t end = std::max((s + 1) * sectors / kDentSectors, first + 1);
         float sum = 0.0F;
         for (std::size_t k = first; k < end; ++k)
             sum += row[k];
@@ -79,12 +79,12 @@ bool PotCopier::step(pot::Pot& pot, const HapticState& state, double dt_s) noexc
 void PotCopier::copy_dents(pot::Pot& pot, const clay::StudioClay& clay, int most) noexcept {
     pot.dents_mm.resize(kDents);  // the last copy may have cleared it, for round clay
     for (int k = 0; k < most && dent_row_ < kDentRows; ++k, ++dent_row_) {
-        float* out = pot.dents_mm.data() + static_cast<std::size_t>(dent_row_) * pot::kDentSectors;
+        float* out = pot.dents_mm.data() + static_cast<std::size_t>(dent_row_) * kDentSectors;
         const double y_mm = (dent_row_ + 0.5) / kDentRows * clay.height_mm();
         const auto row =
             clay.ring_count() > 0 ? clay.residuals_mm(clay.rings().ring_at(y_mm)) : std::span<const float>();
         if (row.empty()) {
-            std::fill_n(out, pot::kDentSectors, 0.0F);
+            std::fill_n(out, kDentSectors, 0.0F);
         } else {
             copy_dent_row(row, out);
             dented_ = true;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace onggi::heritage {
 
@@ -37,7 +36,7 @@ double off_round_mm(const clay::StudioClay& clay) {
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
     for (int s = 0; s < sectors; ++s) {
-        const double angle = 2.0 * std::numbers::pi * s / sectors;
+        const double angle = kTurn * s / sectors;
         const double radius_mm = outer[static_cast<std::size_t>(widest)] +
                                  (residuals.empty() ? 0.0 : double{residuals[static_cast<std::size_t>(s)]});
         const double away_mm =

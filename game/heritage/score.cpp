@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "game/clay/studio/studio_parameters.h"
 
@@ -46,7 +45,7 @@ double wet_clay_g(const PotForm& form, double scale, double wall_mm) {
     for (std::size_t i = 0; i + 1 < form.radii_mm.size(); ++i) {
         const double r = 0.5 * (form.radii_mm[i] + form.radii_mm[i + 1]) * scale;
         const double inner = static_cast<double>(i) * step < kUsualFloorMm ? 0.0 : std::max(r - wall_mm, 0.0);
-        volume += std::numbers::pi * (r * r - inner * inner) * step;
+        volume += kPi * (r * r - inner * inner) * step;
     }
     return volume * clay::studio::kDensityGPerMm3;
 }

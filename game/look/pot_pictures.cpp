@@ -10,6 +10,7 @@
 
 #include "engine/asset/mesh_order.h"
 #include "engine/math/eight_bits.h"
+#include "engine/math/light.h"
 #include "engine/render/beauty.h"
 #include "engine/render/shapes/detail_texture.h"
 #include "engine/render/shapes/frame_build.h"
@@ -180,7 +181,7 @@ vec3 in_tangent_space(const BakedRow& baked, float lean_round, float lean_up) {
 }  // namespace
 
 PotLook lathe_look(const render::LatheMaterial& material, std::string name) {
-    const vec3 wet = render::wet_albedo(material.albedo, 1.0F);
+    const vec3 wet = wet_albedo(material.albedo);
     const float wet_roughness = render::wet_roughness(material);
     const auto at = [=](const Place& place) {
         // Two of the texture go round, clockwise seen from above, as lathe.vert lays them.
@@ -242,8 +243,7 @@ PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::
         }
         const float open = outline.open(sub[kSubRows / 2].row);
         for (int x = 0; x < kPictureSide; ++x) {
-            const float angle =
-                2.0F * std::numbers::pi_v<float> * (static_cast<float>(x) + 0.5F) / kPictureSide;
+            const float angle = kTurnF * (static_cast<float>(x) + 0.5F) / kPictureSide;
             Surface mean{.colour = vec3(0.0F), .roughness = 0.0F, .coat = 0.0F};
             vec3 normal(0.0F);
             for (const BakedRow& baked : sub) {

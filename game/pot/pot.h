@@ -4,12 +4,11 @@
 
 #include <vector>
 
+#include "engine/math/dents.h"
 #include "engine/math/math.h"
 #include "game/clay/studio/pot.h"
 
 namespace onggi::pot {
-
-constexpr int kDentSectors = 64;  // directions of the map of dents
 
 // Columns, one entry a ring, bottom first; a ring is an element of the paper's clay or a ring of the
 // studio's. What the clay does not have is an empty column: the paper's has outer faces alone.

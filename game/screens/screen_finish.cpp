@@ -73,7 +73,7 @@ void kiln(Page& page, vec2 floor, float scale) {
                          .stroke_width = 46.0F});
     std::string bricks;
     for (int i = 0; i <= 14; ++i) {
-        const float angle = 3.14159265F * (1.0F - static_cast<float>(i) / 14.0F);
+        const float angle = kPiF * (1.0F - static_cast<float>(i) / 14.0F);
         const auto point = [&](float rx, float ry) {
             const float x = 330.0F + rx * std::cos(angle);
             const float y = 280.0F - ry * std::sin(angle);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "game/screens/screens.h"
@@ -85,7 +84,7 @@ void true_circle(Page& page, vec2 centre, float radius) {
     constexpr int kCorners = 72;
     std::vector<vec2> points;
     for (int i = 0; i <= kCorners; ++i) {
-        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
+        const float angle = kTurnF * static_cast<float>(i) / kCorners;
         points.push_back(centre + radius * vec2(std::cos(angle), std::sin(angle)));
     }
     page.dotted(points);

@@ -1,11 +1,21 @@
 # Puts files into the program as text: cmake -D INTO=... -D FOLDER=... -D NAMESPACE=... -D NAMES="kCss=page.css;..."
-# -P embed.cmake. A literal may hold 65536 bytes at least.
+# -D NUMBERS=... -P embed.cmake. A literal may hold 65536 bytes at least. "@kName@" in a file becomes the number that the
+# header NUMBERS says of it: "kName = 0.8F;".
+file(READ ${NUMBERS} numbers)
 set(text "// Written while building from the files themselves. Any thread; constant.\n#pragma once\n\n#include <string_view>\n\nnamespace ${NAMESPACE} {\n")
 foreach(pair IN LISTS NAMES)
     string(REPLACE "=" ";" pair "${pair}")
     list(GET pair 0 name)
     list(GET pair 1 file)
     file(READ ${FOLDER}/${file} content)
+    string(REGEX MATCHALL "@k[A-Za-z]+@" wanted "${content}")
+    foreach(place IN LISTS wanted)
+        string(REPLACE "@" "" number ${place})
+        if(NOT numbers MATCHES " ${number} = ([0-9.]+)F")
+            message(FATAL_ERROR "${file}: expected a number ${number} in ${NUMBERS}")
+        endif()
+        string(REPLACE ${place} ${CMAKE_MATCH_1} content "${content}")
+    endforeach()
     string(APPEND text "\ninline constexpr std::string_view ${name} = R\"onggi(${content})onggi\";\n")
 endforeach()
 string(APPEND text "\n}  // namespace ${NAMESPACE}\n")

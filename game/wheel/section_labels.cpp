@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace onggi::wheel {
@@ -164,12 +163,11 @@ class Section {
     }
     // The dent moves both faces of the wall, which keeps its thickness: see pot::Pot::dents_mm.
     [[nodiscard]] double dent_mm(bool left, double y_mm) const {
-        constexpr std::size_t kSectors = pot::kDentSectors;
+        constexpr std::size_t kSectors = kDentSectors;
         const std::size_t rows = pot_.dents_mm.size() / kSectors;
         if (rows == 0 || !(pot_.height_mm > 0.0)) return 0.0;
-        constexpr double kTurn = 2.0 * std::numbers::pi;
         const double turned = std::atan2(wheel_direction_.y, wheel_direction_.x);
-        const double turns = (towards_rad_ + (left ? std::numbers::pi : 0.0) - turned) / kTurn;
+        const double turns = (towards_rad_ + (left ? kPi : 0.0) - turned) / kTurn;
         const auto place = [](double fraction, std::size_t count) {
             const double at = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(count);
             return std::min(static_cast<std::size_t>(at), count - 1);

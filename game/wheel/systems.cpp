@@ -192,9 +192,7 @@ render::LightLevels light_levels(double evening) {
             .key = 1.0F + (kEveningKey - 1.0F) * fraction};
 }
 
-static_assert(pot::kDentSectors == render::kDentSectors, "the lathe draws the pot's map of dents as it is");
-
-// The clay: converts the pot on the wheel into the lathe to draw.
+// The clay: the pot on the wheel becomes the lathe that is drawn.
 
 void receive_clay(ecs::Registry& registry, FrameContext& context) {
     const pot::Pot& pot = *context.shown->pot;
@@ -415,8 +413,8 @@ void extract_tools(ecs::Registry& registry, FrameContext& context) {
     });
     registry.each<Wire>([&](ecs::Entity, const Wire& wire) {
         if (!wire.shown) return;
-        // Turned across the picture, so that it visibly passes under the pot.
-        constexpr double kAcross = 1.5707963267948966;
+        // Across the picture, so that it is seen to pass under the pot.
+        constexpr double kAcross = 0.5 * kPi;
         add(ToolModel::kWire, false, placed({0.0, wire.height_mm, 0.0}, kAcross, 0.0));
     });
 }

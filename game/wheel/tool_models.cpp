@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -105,7 +104,7 @@ render::PropModel curl() {
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         for (int step = 0; step <= kSteps; ++step) {
             const float along = static_cast<float>(step) / kSteps;
-            const float angle = 2.0F * std::numbers::pi_v<float> * kTurns * along;
+            const float angle = kTurnF * kTurns * along;
             const vec3 out(0.0F, std::cos(angle), std::sin(angle));
             for (const float edge : {-0.5F, 0.5F}) {
                 const vec3 at = glm::mix(kFirstMm, kLastMm, along) * out +

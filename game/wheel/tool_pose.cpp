@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace onggi::wheel {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180.0;
 
 // Follows the tool within the time that hides a device's steps; turns at a wrist's speed.
@@ -54,7 +52,7 @@ double most_lean_through_mouth(const ToolSight& sight, const dvec3& touch) {
 }
 
 double wrapped(double angle_rad) {
-    return std::remainder(angle_rad, 2.0 * kPi);
+    return std::remainder(angle_rad, kTurn);
 }
 
 bool is_inside(clay::studio::Side side) {

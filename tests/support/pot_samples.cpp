@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <stdexcept>
 
 #include "engine/files/read_file.h"
@@ -17,7 +16,6 @@ namespace onggi::support {
 namespace {
 
 constexpr double kHeightMm = 200.0;
-constexpr double kPi = std::numbers::pi;
 
 // The radius as a function of u = y/H in the middle of each element.
 PotSample turned(std::string name, int element_count, const std::function<double(double)>& radius_mm) {
@@ -63,7 +61,7 @@ PotSample vase(int element_count) {
     return turned("vase_" + std::to_string(element_count), element_count, [](double u) {
         const double belly = 36.0 + 18.0 * std::sin(1.9 * kPi * u + 0.2) * (1.0 - 0.35 * u);
         const double lip = 9.0 * std::exp(-(1.0 - u) / 0.03);
-        const double rings = 0.25 * std::sin(2.0 * kPi * kHeightMm * u / 8.5);
+        const double rings = 0.25 * std::sin(kTurn * kHeightMm * u / 8.5);
         return belly + lip + rings;
     });
 }

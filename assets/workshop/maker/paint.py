@@ -159,6 +159,7 @@ class Paint:
                 near = g.ramp(g.radius(), 0.46, 0.22)
                 smear = g.ramp(g.math("ADD", g.noise(g.place((1.0, 1.8, 1.0)), 9.0, 7.0, 0.7),
                                       g.math("MULTIPLY", near, 0.20)), 0.52, 0.82)
+                # Stoneware's colour; kStoneware in game/finish/clay_body.h, and a test compares.
                 colour = g.mix(g.math("MULTIPLY", smear, clay), colour, (0.36, 0.29, 0.215))
             g.feed(g.surface.inputs["Base Color"], colour)
             g.feed(g.surface.inputs["Roughness"], g.node("MapRange", Value=fibre, **{

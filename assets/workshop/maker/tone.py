@@ -1,4 +1,4 @@
-"""Light to eight bits, the same curve as shaders/tone.glsl, and the files.
+"""Light to eight bits, the same curve as shaders/curve.h (a test compares), and the files.
 
   c = 0.75 E          exposure, the same for both plates of a camera and for light.json
   c = c / (0.8 c + 0.35)

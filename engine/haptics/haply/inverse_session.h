@@ -22,8 +22,8 @@ struct InverseOptions {
     std::string force_name = "vector";  // "values" for a service older than 3.5
     double rate_hz = 1000.0;            // messages a second: the service follows its client
     // The kiosk's profile, not the ten newtons such a device can give.
-    double peak_n = 3.3;
-    double continuous_n = 0.88;
+    double peak_n = kKioskPeakForceN;
+    double continuous_n = kKioskContinuousForceN;
 };
 
 // The cursor in the wheel's axes, from wherever it stood when it was first heard.

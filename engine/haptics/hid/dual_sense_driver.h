@@ -11,6 +11,7 @@
 #include "engine/haptics/hid/dual_sense.h"
 #include "engine/haptics/hid/hand_input.h"
 #include "engine/haptics/hid/hid_driver.h"
+#include "engine/haptics/safety_chain.h"
 
 namespace onggi::haptics::hid {
 
@@ -19,7 +20,7 @@ struct DualSenseMapping {
     double stick_dead_band = 0.08;  // of full deflection
     double press_mm = 20.0;         // the right trigger pulled all the way
     double stiffness_n_per_mm = 0.5;
-    double strongest_n = 3.3;  // the force that is shown as the trigger's strongest zone
+    double strongest_n = kKioskPeakForceN;  // the force that is shown as the trigger's strongest zone
     double most_stiffness_n_per_mm = 2.0;
     double touch_mm = 160.0;         // of the tool, for a finger drawn across the whole touch pad
     double tilt_mm_per_deg = 1.5;    // of the tool, while L1 is held

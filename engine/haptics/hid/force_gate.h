@@ -7,11 +7,12 @@
 
 #include "engine/haptics/hid/hand_input.h"
 #include "engine/haptics/hid/hid_driver.h"
+#include "engine/haptics/safety_chain.h"
 
 namespace onggi::haptics::hid {
 
 struct ForceGateLimits {
-    double peak_n = 3.3;
+    double peak_n = kKioskPeakForceN;
     // No new order for so long: no force. Two ticks of the slowest rate (100 Hz). USB devices are told every
     // 4 ms, so that the 5 ms that a faster bus could keep are out of reach.
     std::int64_t silence_ns = 20 * kMs;

@@ -17,6 +17,7 @@
 #include "engine/haptics/hid/hid_driver.h"
 #include "engine/haptics/hid/hid_port.h"
 #include "engine/haptics/hid/pid_reports.h"
+#include "engine/haptics/safety_chain.h"
 
 namespace onggi::haptics::hid {
 
@@ -62,9 +63,9 @@ struct PidMapping {
     // them seldom: taken too small here, the hand would get too much. So an unmeasured stick counts as
     // stronger than any known one, and feels weak until somebody holds a spring balance to it.
     double full_scale_n = 50.0;
-    double peak_n = 3.3;              // what it may be asked for
-    double stiffness_n_per_mm = 0.5;  // of the wall it shows by itself
-    double damping_fraction = 0.1;    // of its full damper, while in contact
+    double peak_n = kKioskPeakForceN;  // what it may be asked for
+    double stiffness_n_per_mm = 0.5;   // of the wall it shows by itself
+    double damping_fraction = 0.1;     // of its full damper, while in contact
     // 1 or -1 for constant forces: makers do not agree on the sense of a direction. A wrong one pulls the
     // tool into the work instead of pushing it out.
     double radius_sign = 1.0;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "engine/core/hash.h"
+#include "engine/math/light.h"
 #include "engine/render/shapes/lathe_edges.h"
 #include "shaders/sky.h"
 
@@ -58,12 +58,10 @@ std::size_t add_section(const LatheMeshInput& input, int sectors,
 
 namespace {
 
-constexpr float kHalfTurn = std::numbers::pi_v<float>;
-
-// A chord deviates from its circle by r (1 - cos(half its angle)).
+// A chord of a circle lies off it by r (1 - cos(half its angle)).
 float angle_of_chord(float radius_px, float error_px) {
-    // Light is interpolated between the vertices too and allows no wider chord.
-    constexpr float kWidest = 18.0F * kHalfTurn / 180.0F;
+    // Light is interpolated between the vertices too, which bears no more.
+    constexpr float kWidest = 18.0F * kPiF / 180.0F;
     const float cosine = 1.0F - error_px / std::max(radius_px, 1e-3F);
     return cosine > 0.0F ? std::min(2.0F * std::acos(cosine), kWidest) : kWidest;
 }
@@ -83,9 +81,9 @@ float density(const LatheSeen& seen, float from_sight_rad, float error_px) {
 }  // namespace
 
 std::vector<float> even_sectors(const Lathe& lathe, int sectors) {
-    // The lathe's own sectors run counter-clockwise, these angles clockwise.
-    const float start = lathe.cut ? kHalfTurn - lathe.cut->towards_rad : 0.0F;
-    const float sweep = lathe.cut ? kHalfTurn : 2.0F * kHalfTurn;
+    // A lathe's own sectors run the other way, counter-clockwise.
+    const float start = lathe.cut ? kPiF - lathe.cut->towards_rad : 0.0F;
+    const float sweep = lathe.cut ? kPiF : kTurnF;
     std::vector<float> angles;
     angles.reserve(static_cast<std::size_t>(sectors) + 1);
     for (int i = 0; i <= sectors; ++i)
@@ -96,7 +94,7 @@ std::vector<float> even_sectors(const Lathe& lathe, int sectors) {
 std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budget) {
     // The integral of the density from 0 to each angle, over half a turn.
     constexpr std::size_t kSteps = 180;
-    constexpr float kStep = kHalfTurn / static_cast<float>(kSteps);
+    constexpr float kStep = kPiF / static_cast<float>(kSteps);
     std::array<float, kSteps + 1> sum{};
     for (std::size_t i = 0; i < kSteps; ++i)
         sum[i + 1] = sum[i] + kStep * density(seen, (static_cast<float>(i) + 0.5F) * kStep, budget.error_px);
@@ -119,7 +117,7 @@ std::vector<float> seen_sectors(const LatheSeen& seen, const SectorBudget& budge
     for (const float angle : to_side)
         angles.push_back(seen.azimuth_rad + angle);
     for (int i = half; i-- > 0;)
-        angles.push_back(seen.azimuth_rad + 2.0F * kHalfTurn - to_side[static_cast<std::size_t>(i)]);
+        angles.push_back(seen.azimuth_rad + kTurnF - to_side[static_cast<std::size_t>(i)]);
     return angles;
 }
 
@@ -229,8 +227,7 @@ std::array<vec3, 9> sky_irradiance(const Environment& environment) {
         const float y = 1.0F - (static_cast<float>(row) + 0.5F) * 2.0F / kRows;
         const float across = std::sqrt(1.0F - y * y);
         for (int column = 0; column < kColumns; ++column) {
-            const float angle =
-                (static_cast<float>(column) + 0.5F) * 2.0F * std::numbers::pi_v<float> / kColumns;
+            const float angle = (static_cast<float>(column) + 0.5F) * kTurnF / kColumns;
             const vec3 d(across * std::cos(angle), y, across * std::sin(angle));
             const std::array<float, 9> basis{0.282095F,
                                              0.488603F * d.y,
@@ -246,8 +243,8 @@ std::array<vec3, 9> sky_irradiance(const Environment& environment) {
                 coefficients[i] += radiance * basis[i];
         }
     }
-    // Solid angle of a cell; the cosine lobe's factors over pi (1, 2/3, 1/4); the constants of the basis.
-    constexpr float kCell = 4.0F * std::numbers::pi_v<float> / (kRows * kColumns);
+    // Solid angle of a cell; the cosine lobe's factors over pi (1, 2/3, 1/4); the basis' own constants.
+    constexpr float kCell = 4.0F * kPiF / (kRows * kColumns);
     constexpr std::array<float, 9> kFold{0.282095F,         0.488603F * 2 / 3, 0.488603F * 2 / 3,
                                          0.488603F * 2 / 3, 1.092548F / 4,     1.092548F / 4,
                                          0.315392F / 4,     1.092548F / 4,     0.546274F / 4};
@@ -322,7 +319,7 @@ void build_scene(const Scene& scene, const StillBounds& still, int width_px, int
 // How far the streaks' texture has turned, in texture widths; two widths make a turn.
 float streak_turn(vec2 turn) {
     const float angle = std::atan2(turn.y, turn.x);
-    return angle / std::numbers::pi_v<float>;
+    return angle / kPiF;
 }
 
 std::vector<float> sectors_of(const Scene& scene, const RendererDesc& desc, float px_per_mm,
@@ -395,8 +392,8 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
         built.frame.lathe_foot = vec4(0.5F * (foot.x + across.x), 0.5F * (foot.z + across.z), 0.0F, 0.0F);
     const LatheMaterial& material = lathe.material;
     built.lathe.dry = vec4(material.albedo, material.streaks);
-    built.lathe.wet = vec4(wet_albedo(material.albedo, 1.0F), material.soft_edge);
-    // A highlight is as wide as its light: the light's half width is added to the lobe's.
+    built.lathe.wet = vec4(wet_albedo(material.albedo), material.soft_edge);
+    // A wide light is mirrored as wide as it is: its half width adds to the lobe's.
     const float film = film_roughness(material);
     const float width = 0.5F * std::tan(scene.key.angular_radius_rad);
     const float film_lobe = std::sqrt(std::sqrt(film * film * film * film + width * width));
@@ -426,11 +423,6 @@ void build_shadow_steps(const DirectionalLight& key, BuiltFrame& built) {
 }
 
 }  // namespace
-
-vec3 wet_albedo(vec3 albedo, float wetness) {
-    const float p = 0.66F * std::clamp(wetness, 0.0F, 1.0F);
-    return albedo * (1.0F - p) / (vec3(1.0F) - p * albedo);
-}
 
 float wet_roughness(const LatheMaterial& material) {
     constexpr float kWetSmoothing = 0.72F;

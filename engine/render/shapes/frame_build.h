@@ -135,11 +135,7 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 [[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
 [[nodiscard]] std::uint64_t shadow_hash(const Scene& scene);
 
-// A wet body is darker and more saturated, because light that the water reflects back into it is filtered
-// once more. J. Lekner, M. Dorf, "Why some things are darker when wet", 1988: A' = A (1 - p) / (1 - p A),
-// where p is the fraction of diffuse light that water reflects back inside; 0.66 for a saturated body.
-[[nodiscard]] vec3 wet_albedo(vec3 albedo, float wetness);
-// Roughness of the saturated body.
+// Of the body full of it.
 [[nodiscard]] float wet_roughness(const LatheMaterial& material);
 
 // Roughness of the film of water or glaze. A film of water is thin and follows the body's roughness smoothed;

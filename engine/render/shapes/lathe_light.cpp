@@ -8,7 +8,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kTurn = 6.28318531F;
 constexpr int kSkyRays = 40;
 constexpr int kSkySteps = 14;
 
@@ -39,8 +38,7 @@ const KeyColumns& column_cosines() {
     static const KeyColumns cosines = [] {
         KeyColumns made{};
         for (int i = 0; i < kKeyColumns; ++i)
-            made[static_cast<std::size_t>(i)] =
-                std::cos(0.5F * kTurn * static_cast<float>(i) / (kKeyColumns - 1));
+            made[static_cast<std::size_t>(i)] = std::cos(kPiF * static_cast<float>(i) / (kKeyColumns - 1));
         return made;
     }();
     return cosines;

@@ -8,9 +8,7 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kHalfTurn = 3.14159265F;
-
-// The radii of both faces of a ring, and its heights.
+// A ring's faces and its middle.
 struct Ring {
     float outer_mm;
     float inner_mm;
@@ -49,14 +47,14 @@ void add_edge(LatheProfile& profile, const ProfilePoint& outer, const ProfilePoi
         profile.points.push_back({.radius_mm = radius, .y_mm = y, .along_mm = 0.0F, .ring = outer.ring});
     };
     for (int step = 1; step <= kQuarterSteps; ++step) {
-        const float angle = 0.5F * kHalfTurn * static_cast<float>(step) / kQuarterSteps;
+        const float angle = 0.5F * kPiF * static_cast<float>(step) / kQuarterSteps;
         add(outer.radius_mm - across * (1.0F - std::cos(angle)),
             outer.y_mm + profile.rounding_mm * std::sin(angle));
     }
     if (!profile.hollow) return;
     const bool is_round = wall_mm <= 2.0F * profile.rounding_mm * 1.0001F;
     for (int step = is_round ? kQuarterSteps - 1 : kQuarterSteps; step > 0; --step) {
-        const float angle = 0.5F * kHalfTurn * static_cast<float>(step) / kQuarterSteps;
+        const float angle = 0.5F * kPiF * static_cast<float>(step) / kQuarterSteps;
         add(inner.radius_mm + across * (1.0F - std::cos(angle)),
             inner.y_mm + profile.rounding_mm * std::sin(angle));
     }

@@ -7,9 +7,7 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kHalfTurn = 3.14159265F;
-
-// Values of a sector's edge that are the same in every row.
+// What is the same in every row of a sector's edge.
 struct SectorEdge {
     vec2 outward;         // (x, z)
     std::size_t dent;     // index of the dents' sector below it
@@ -34,23 +32,22 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
         SectorEdge edge{};
         // The last edge of a whole turn equals the first bit by bit.
         const float shown = angles_rad[!lathe.cut && i == last ? 0 : i];
-        // The streaks' coordinate is fixed to the lathe, independent of the eye.
-        edge.fraction =
-            lathe.cut ? (angles_rad[i] - angles_rad[0]) / sweep : angles_rad[i] / (2.0F * kHalfTurn);
+        // Streaks lie where they lie on the lathe, whichever way the eye looks.
+        edge.fraction = lathe.cut ? (angles_rad[i] - angles_rad[0]) / sweep : angles_rad[i] / kTurnF;
         const std::size_t from = i > 0 ? i - 1 : 0;
         const float chord = (angles_rad[std::min(i + 1, last)] - angles_rad[from]) /
                             static_cast<float>(std::min(i + 1, last) - from);
         edge.straddle = 1.0F + 0.5F * (1.0F - std::cos(0.5F * chord));
         edge.outward = {std::cos(shown), std::sin(shown)};
-        float own = (-shown - turned) / (2.0F * kHalfTurn);
-        // A sector's value applies at its middle.
+        float own = (-shown - turned) / kTurnF;
+        // A sector's value is that of its middle.
         own = (own - std::floor(own)) * kDentSectors + kDentSectors - 0.5F;
         edge.dent = static_cast<std::size_t>(own) % kDentSectors;
         edge.dent_fraction = own - std::floor(own);
         float away = std::abs(shown - light);
-        away = std::fmod(away, 2.0F * kHalfTurn);
-        if (away > kHalfTurn) away = 2.0F * kHalfTurn - away;
-        const float column = away / kHalfTurn * (kKeyColumns - 1);
+        away = std::fmod(away, kTurnF);
+        if (away > kPiF) away = kTurnF - away;
+        const float column = away / kPiF * (kKeyColumns - 1);
         edge.column = std::min(static_cast<std::size_t>(column), static_cast<std::size_t>(kKeyColumns - 2));
         edge.column_fraction = column - static_cast<float>(edge.column);
         edges.push_back(edge);
@@ -157,8 +154,7 @@ void fill_vertices(const LatheMeshInput& input, const DirectionalLight& key,
                 // Sectors run against the angle, so their slope changes sign.
                 const float round = dents.round[edge.dent] +
                                     edge.dent_fraction * (dents.round[next] - dents.round[edge.dent]);
-                const float slope =
-                    -round * kDentSectors / (2.0F * kHalfTurn * std::max(radius + off_mm, 1.0F));
+                const float slope = -round * kDentSectors / (kTurnF * std::max(radius + off_mm, 1.0F));
                 outward -= slope * vec2(-edge.outward.y, edge.outward.x);
                 outward /= glm::length(outward);
             }

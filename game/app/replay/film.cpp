@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -29,7 +28,7 @@ constexpr double kStillAt =
 constexpr double kStillQuality = 75.0;
 
 dvec2 turned(const dvec2& direction, double turns) {
-    const double angle = 2.0 * std::numbers::pi * turns;
+    const double angle = kTurn * turns;
     const dvec2 by(std::cos(angle), std::sin(angle));
     return {direction.x * by.x - direction.y * by.y, direction.x * by.y + direction.y * by.x};
 }

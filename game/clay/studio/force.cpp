@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/clay/studio/load.h"
+
 namespace onggi::clay::studio {
 namespace {
 
 // Friction grows with the sliding speed up to this, then saturates.
 constexpr double kStickSpeedMmS = 5.0;
 
-// A ring near its limit feels soft from this load index on.
-constexpr double kSoftensFrom = 0.7;
-
 double softened_strength_n_mm2(const Rings& rings, int i) {
     const auto su = static_cast<double>(rings.strength_kpa[Rings::at(i)]);
     const double beyond = std::clamp(
-        (static_cast<double>(rings.load_index[Rings::at(i)]) - kSoftensFrom) / (1.0 - kSoftensFrom), 0.0,
+        (static_cast<double>(rings.load_index[Rings::at(i)]) - kSoftensAtLoad) / (1.0 - kSoftensAtLoad), 0.0,
         1.0);
     return su * (1.0 - 0.5 * beyond) / kKpaPerNMm2;
 }
@@ -60,7 +59,7 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
     const std::size_t at = Rings::at(i);
     const double su = softened_strength_n_mm2(rings, i);
     const double r1 = hand.radius_mm;
-    const double bearing = parameters.bearing_factor_nc * su * std::numbers::pi * 2.0;
+    const double bearing = parameters.bearing_factor_nc * su * kPi * 2.0;
     const dvec2 e = hand.direction;
     felt.forces.contact_low_mm = rings.bottom_mm(i);
     felt.forces.contact_high_mm = top_of(rings, i);
@@ -75,7 +74,7 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
         if (rings.is_hollow(i)) {
             const double wall = rings.wall_mm(i);
             const double alone = (1.0 - supported) * tie_to_floor(contact.height_mm - rings.floor_mm(), wall);
-            const double hinge = 2.0 * std::numbers::pi * su * wall * wall;
+            const double hinge = kTurn * su * wall * wall;
             size = size * hinge / (hinge + alone * size);
         }
         const dvec2 direction = pushed_direction(contact, hand);
@@ -101,8 +100,8 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
     if (contact.rim_depth_mm > 0.0) {
         const double depth = std::min(contact.rim_depth_mm, kDeepestMm);
         const double chord = 2.0 * std::sqrt(2.0 * r1 * depth);
-        // A rim narrower than the tool's contact area bears only on its own width.
-        const double area = std::min(std::numbers::pi * 2.0 * r1 * depth, rings.wall_mm(i) * chord);
+        // A rim narrower than the tool's print bears on its own width only.
+        const double area = std::min(kPi * 2.0 * r1 * depth, rings.wall_mm(i) * chord);
         normal.y += parameters.bearing_factor_nc * su * area;
         felt.forces.local_stiffness_n_per_mm = std::max(felt.forces.local_stiffness_n_per_mm, bearing * r1);
         lever_mm = std::max(std::fabs(hand.distance_mm), 1.0);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "game/clay/studio/grip_touch.h"
+#include "game/clay/studio/load.h"
 #include "game/clay/studio/moves.h"
 #include "game/clay/studio/rings.h"
 #include "game/clay/studio/spare_clay.h"
@@ -230,7 +230,7 @@ double pull_up(Rings& rings, GripSpace& space, double rise, double largest_strai
         const double strain = std::min(per_weight * weight[i], largest_strain);
         if (!(strain > 0.0)) continue;
         const double outer = rings.outer_mm[at(i)];
-        const double area = rings.volume_mm3[at(i)] / (std::numbers::pi * height * (1.0 + strain));
+        const double area = rings.volume_mm3[at(i)] / (kPi * height * (1.0 + strain));
         const double inner = std::sqrt(std::max(outer * outer - area, 0.0));
         if (!(inner > rings.inner_mm[at(i)]) || outer - inner < kThinnestWallMm) continue;
         rings.inner_mm[at(i)] = inner;
@@ -381,7 +381,7 @@ constexpr double kThickFloorMm = 12.5;
 
 // Fraction of a thinning or widening move that the load allows.
 double load_fraction(const GripClimate& climate) {
-    return std::clamp((0.85 - climate.load_index) / 0.2, 0.0, 1.0);
+    return std::clamp((kGuardedLoad - climate.load_index) / kGuardWidth, 0.0, 1.0);
 }
 
 Bore bore_of(const GripState& state) {
@@ -639,7 +639,7 @@ double bearable_twist(const Rings& rings, double y) {
     }
     // su times 2 pi r^2 t; the torque for the same von Mises stress is a factor sqrt(3) less.
     constexpr double kHalf = 0.5;
-    return kHalf * least * 2.0 * std::numbers::pi / (std::sqrt(3.0) * kKpaPerNMm2);
+    return kHalf * least * kTurn / (std::sqrt(3.0) * kKpaPerNMm2);
 }
 
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,

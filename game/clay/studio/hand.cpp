@@ -91,7 +91,7 @@ dvec2 into_clay(const dvec2& e, const Rotation& heading) noexcept {
 }
 
 double turn_of(const dvec2& in_clay) noexcept {
-    constexpr double kTurnsPerRad = 0.5 / std::numbers::pi;
+    constexpr double kTurnsPerRad = 0.5 / kPi;
     const double turn = angle_of(in_clay.x, -in_clay.y) * kTurnsPerRad;
     return turn < 1.0 ? turn : 0.0;
 }
@@ -140,7 +140,7 @@ void follow_wobble(HandState& state, const Hand& hand, double turned_rad) noexce
         state.wobble_mm = {0.0, 0.0};
         return;
     }
-    const double fraction = relaxed_fraction(turned_rad / (2.0 * std::numbers::pi * kRememberedTurns));
+    const double fraction = relaxed_fraction(turned_rad / (kTurn * kRememberedTurns));
     state.mean_distance_mm += fraction * (hand.distance_mm - state.mean_distance_mm);
     const double off = 2.0 * (hand.distance_mm - state.mean_distance_mm);
     state.wobble_mm += (hand.in_clay * off - state.wobble_mm) * fraction;

@@ -57,7 +57,7 @@ Stress stress_in(const Rings& rings, int i, const Above& above, double wheel_spe
     const bool hollow = ri > 0.0;
     const double wall = ro - ri;
     const double mean = 0.5 * (ro + ri);
-    const double area = std::numbers::pi * wall * (ro + ri);
+    const double area = kPi * wall * (ro + ri);
 
     Stress stress;
     stress.weight_kpa = -kWeightKpaPerMm * (above.volume_mm3 + 0.5 * rings.volume_mm3[at(i)]) / area;
@@ -72,9 +72,9 @@ Stress stress_in(const Rings& rings, int i, const Above& above, double wheel_spe
         const double square = overhang * overhang;
         const double held = square + shell > 0.0 ? square * shell / (square + shell) : 0.0;  // Le^2
         stress.bending_kpa = 3.0 * kWeightKpaPerMm * held / along;
-        stress.twist_kpa = kKpaPerNMm2 * twist / (2.0 * std::numbers::pi * mean * mean * wall);
+        stress.twist_kpa = kKpaPerNMm2 * twist / (kTurn * mean * mean * wall);
     } else {
-        stress.twist_kpa = kKpaPerNMm2 * 2.0 * twist / (std::numbers::pi * ro * ro * ro);
+        stress.twist_kpa = kKpaPerNMm2 * 2.0 * twist / (kPi * ro * ro * ro);
     }
     return stress;
 }
@@ -145,7 +145,7 @@ bool slump_ring(LoadSweep& sweep, Rings& rings, int i) {
     const double hoop = strain * static_cast<double>(rings.slump_hoop[at(i)]);
     const auto stretched = [](double x) { return 1.0 + x + 0.5 * x * x; };  // e^x; |x| is below 0.15
     const double height = rings.height_mm[at(i)] * stretched(axial);
-    const double area = rings.volume_mm3[at(i)] / (std::numbers::pi * height);
+    const double area = rings.volume_mm3[at(i)] / (kPi * height);
     if (!hollow) return set_radii(rings, i, std::sqrt(area), 0.0, 1.0);
     const double mean = 0.5 * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]) * stretched(hoop);
     const double wall = area / (2.0 * mean);

@@ -9,6 +9,22 @@
 
 namespace onggi::clay::studio {
 
+// Load indices at which something reacts; a ring gives way at 1. All are chosen.
+// A picture of the pot cut open hatches the wall earlier still (kLoadWarns in shaders/load.h): it is a still
+// for study, and shows early where the wall bears much.
+// The clay begins to feel soft: a sign that disturbs nothing, so it comes early.
+constexpr double kSoftensAtLoad = 0.70;
+// A forgiving wheel slows down: it corrects its own speed before the visitor needs a warning.
+constexpr double kForgivenLoad = 0.80;
+// Guided moves that thin or widen stop here, and fade over kGuardWidth before: a finger alone hardly gets
+// beyond it.
+constexpr double kGuardedLoad = 0.85;
+constexpr double kGuardWidth = 0.20;
+// The kiosk shows a warning: only where the guard no longer helps, because a warning interrupts ...
+constexpr double kWarnedLoad = kGuardedLoad;
+// ... and it takes the warning back far enough below that it does not flicker.
+constexpr double kRelaxedLoad = 0.70;
+
 enum class Cause { kNone, kWeight, kSpin, kOverhang, kTwist };
 
 // The stresses in one ring, kPa; tension positive, pressure negative. The limit is 2 su, the load that clay

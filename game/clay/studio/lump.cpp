@@ -25,7 +25,7 @@ int ring_capacity(const StudioLump& lump) {
 
 void put_lump(Rings& rings, Ledger& ledger, const StudioLump& lump) {
     const double volume = on_grid(lump.mass_g / kDensityGPerMm3);
-    const double cubed = volume / (std::numbers::pi * kFullness * kHeightPerRadius);
+    const double cubed = volume / (kPi * kFullness * kHeightPerRadius);
     const double radius = exponential(natural_log(cubed) / 3.0);
     const double height = kHeightPerRadius * radius;
     const int count = std::clamp(static_cast<int>(height * lump.rings / 200.0), 8, rings.capacity);
@@ -37,9 +37,8 @@ void put_lump(Rings& rings, Ledger& ledger, const StudioLump& lump) {
         const double square = radius * radius * (1.0 - kRounding * y * y * y * y);
         const double outer = std::max(std::sqrt(square), kNarrowestMm);
         const std::size_t at = Rings::at(i);
-        // The lowest ring takes the rounding remainder.
-        const double wanted =
-            i > 0 ? on_grid(std::numbers::pi * outer * outer * height / count) : volume - placed;
+        // The foot takes what rounding left over.
+        const double wanted = i > 0 ? on_grid(kPi * outer * outer * height / count) : volume - placed;
         rings.volume_mm3[at] = wanted;
         placed += wanted;
         rings.outer_mm[at] = outer;

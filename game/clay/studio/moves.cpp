@@ -259,7 +259,7 @@ Changed press_rim(Rings& rings, const Contact& contact, double fraction,
     }
     if (!(weighed_mm > 0.0)) return {};
     const double pressed_mm = top - rings.bottom_mm(first);
-    const double area = pressed_mm3 / (std::numbers::pi * pressed_mm);
+    const double area = pressed_mm3 / (kPi * pressed_mm);
     const double yields =
         hollow ? yielding(area / (rings.outer_mm[at(last)] + rings.inner_mm[at(last)]) / pressed_mm,
                           kWallYields, kWallHolds)

@@ -1,7 +1,6 @@
 #include "game/clay/studio/pot.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "game/clay/studio/studio_parameters.h"
 
@@ -64,7 +63,7 @@ PotMeasures measure_pot(const studio::Rings& rings, ClayBody body, Firing stage)
         const double wall = rings.wall_mm(i) * scale;
         pot.thickest_wall_mm = std::max(pot.thickest_wall_mm, wall);
         pot.thinnest_wall_mm = pot.thinnest_wall_mm > 0.0 ? std::min(pot.thinnest_wall_mm, wall) : wall;
-        hollow_mm3 += std::numbers::pi * rings.inner_mm[at] * rings.inner_mm[at] * rings.height_mm[at];
+        hollow_mm3 += kPi * rings.inner_mm[at] * rings.inner_mm[at] * rings.height_mm[at];
     }
     pot.capacity_ml = hollow_mm3 * scale * scale * scale / kMm3PerMl;
     return pot;

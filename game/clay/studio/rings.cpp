@@ -73,7 +73,7 @@ Joined joined(const Rings& rings, int i) {
     Joined one{};
     one.height_mm = rings.height_mm[a] + rings.height_mm[b];
     one.fraction = rings.height_mm[a] / one.height_mm;
-    const double area = (rings.volume_mm3[a] + rings.volume_mm3[b]) / (std::numbers::pi * one.height_mm);
+    const double area = (rings.volume_mm3[a] + rings.volume_mm3[b]) / (kPi * one.height_mm);
     if (rings.is_hollow(i)) {
         const double mean = 0.5 * (one.fraction * (rings.outer_mm[a] + rings.inner_mm[a]) +
                                    (1.0 - one.fraction) * (rings.outer_mm[b] + rings.inner_mm[b]));

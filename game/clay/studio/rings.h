@@ -5,9 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
+#include "engine/math/math.h"
 #include "game/clay/sparse_floats.h"
 
 namespace onggi::clay::studio {
@@ -43,7 +43,7 @@ struct Ledger {
 
 // h = V / (pi (ro^2 - ri^2)). All heights of this room are computed by this expression.
 inline double ring_height_mm(double volume_mm3, double outer_mm, double inner_mm) {
-    return volume_mm3 / (std::numbers::pi * ((outer_mm - inner_mm) * (outer_mm + inner_mm)));
+    return volume_mm3 / (kPi * ((outer_mm - inner_mm) * (outer_mm + inner_mm)));
 }
 
 // Rings share a base height in blocks, so that a change below updates a few bases instead of every ring

@@ -54,8 +54,8 @@ void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, int s
     // Raised cosine of the distance to the sector's middle; the angle advances by a fixed rotation per
     // sector.
     const double first_s = (middle - reach + 0.5 - place) / half_window;
-    const Rotation step = rotation_by(std::numbers::pi / half_window);
-    Rotation angle = rotation_by(std::numbers::pi * first_s);
+    const Rotation step = rotation_by(kPi / half_window);
+    Rotation angle = rotation_by(kPi * first_s);
     for (int j = 0; j < width; ++j) {
         const double s = first_s + j / half_window;
         const double kernel = s * s < 1.0 ? 0.5 + 0.5 * angle.cosine : 0.0;
@@ -88,7 +88,7 @@ void dent_sectors(Rings& rings, const Contact& contact, const Hand& hand, double
     const bool inside = hand.side == Side::kIn;
     const double sign = inside ? -1.0 : 1.0;
     const double turn = turn_of(hand.in_clay);
-    const double angle_a_sector = 2.0 * std::numbers::pi / rings.sectors;
+    const double angle_a_sector = kTurn / rings.sectors;
     const int mask = rings.sectors - 1;
     const int middle = static_cast<int>(turn * rings.sectors);
     const double to_middle = (middle + 0.5 - turn * rings.sectors) * angle_a_sector;

@@ -65,7 +65,7 @@ void pass_water_up(Rings& rings, int i, double diffusivity_mm2_s, double elapsed
     const double outer = std::min(rings.outer_mm[a], rings.outer_mm[b]);
     const double inner = std::max(rings.inner_mm[a], rings.inner_mm[b]);
     if (!(outer > inner)) return;
-    const double face_mm2 = std::numbers::pi * (outer - inner) * (outer + inner);
+    const double face_mm2 = kPi * (outer - inner) * (outer + inner);
     const double apart_mm = 0.5 * (rings.height_mm[a] + rings.height_mm[b]);
     const double wetter = static_cast<double>(rings.liquidity[a]) - static_cast<double>(rings.liquidity[b]);
     const double of_a = water_of_index_g(rings, i);

@@ -231,8 +231,8 @@ void StudioClay::set_wall(double outer, double wall, double floor, double height
         const double ring = height / count;
         rings_.outer_mm[at] = outer;
         rings_.inner_mm[at] = (i + 0.5) * ring < floor ? 0.0 : outer - wall;
-        rings_.volume_mm3[at] = studio::on_grid(std::numbers::pi * ring * (outer - rings_.inner_mm[at]) *
-                                                (outer + rings_.inner_mm[at]));
+        rings_.volume_mm3[at] =
+            studio::on_grid(kPi * ring * (outer - rings_.inner_mm[at]) * (outer + rings_.inner_mm[at]));
         volume += rings_.volume_mm3[at];
         studio::set_liquidity(rings_, i, liquidity);
     }
@@ -248,8 +248,8 @@ void StudioClay::set_profile(std::span<const double> outer, std::span<const doub
         const std::size_t at = Rings::at(i);
         rings_.outer_mm[at] = outer[at];
         rings_.inner_mm[at] = inner[at];
-        rings_.volume_mm3[at] = studio::on_grid(std::numbers::pi * rings_.height_mm[at] *
-                                                (outer[at] - inner[at]) * (outer[at] + inner[at]));
+        rings_.volume_mm3[at] =
+            studio::on_grid(kPi * rings_.height_mm[at] * (outer[at] - inner[at]) * (outer[at] + inner[at]));
         volume += rings_.volume_mm3[at];
     }
     settle_as_lump(rings_, volume, ledger_, sweep_);
@@ -401,11 +401,10 @@ bool StudioClay::tend_rings(double dt) {
 // The pedal's speed. A forgiving wheel lowers it while the clay is near its limit: stress grows as the square
 // of the speed.
 double StudioClay::allowed_speed(double wanted, const StudioParameters& parameters) const {
-    constexpr double kForgivenIndex = 0.8;
     const double pedal = std::isfinite(wanted) ? std::clamp(wanted, 0.0, studio::kFastestWheelRadS) : 0.0;
     const double index = std::max(sweep_.peak_index, sweep_.growing_peak);
-    if (!parameters.forgiving || index <= kForgivenIndex) return pedal;
-    return std::min(pedal, wheel_.speed_rad_s() * std::sqrt(kForgivenIndex / index));
+    if (!parameters.forgiving || index <= studio::kForgivenLoad) return pedal;
+    return std::min(pedal, wheel_.speed_rad_s() * std::sqrt(studio::kForgivenLoad / index));
 }
 
 ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, const Hand& hand,

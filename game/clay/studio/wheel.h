@@ -2,13 +2,12 @@
 // hands' friction as a load. Any one thread at a time; fit for the tick. Units: rad, s, N mm, kg m^2.
 #pragma once
 
-#include <numbers>
-
+#include "engine/math/math.h"
 #include "game/clay/wheel_angle.h"
 
 namespace onggi::clay::studio {
 
-constexpr double kFastestWheelRadS = 10.0 * std::numbers::pi;  // 300 rev/min
+constexpr double kFastestWheelRadS = 10.0 * kPi;  // 300 rev/min
 
 // As they are: an electric wheel.
 struct WheelParameters {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "game/screens/page/design.h"
 
@@ -66,7 +65,7 @@ void draw_thread(DrawList& list, const Thread& thread, float alpha, float u) {
     const float strength = thread.strength * alpha;
     std::array<vec2, 25> ring;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / (ring.size() - 1);
+        const float angle = kTurnF * static_cast<float>(i) / (ring.size() - 1);
         ring[i] = thread.finger_px + kRingU * u * vec2(std::cos(angle), std::sin(angle));
     }
     const auto both = [&](float line_u, const Colour& colour) {

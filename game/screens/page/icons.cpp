@@ -255,7 +255,7 @@ std::string spiral_path(float fraction) {
     std::string path;
     for (int i = 0; i <= static_cast<int>(kPoints * fraction); ++i) {
         const float along = static_cast<float>(i) / kPoints;
-        const float angle = along * kTurns * 6.2831853F - 1.5707963F;
+        const float angle = along * kTurns * kTurnF - 0.5F * kPiF;
         const float radius = 66.0F + along * 92.0F;
         path +=
             fmt::format("{}{:.1f} {:.1f} ", i == 0 ? 'M' : 'L', 0.5F * kSpiralSide + radius * std::cos(angle),

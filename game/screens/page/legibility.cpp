@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "game/screens/page/design.h"
 #include "game/screens/page/layout.h"
@@ -10,7 +9,7 @@
 namespace onggi::screens {
 namespace {
 
-constexpr double kDegreesPerRad = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerRad = 180.0 / kPi;
 
 }  // namespace
 

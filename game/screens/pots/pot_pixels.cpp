@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace onggi::screens {
 namespace {
 
-constexpr float kHalfTurn = std::numbers::pi_v<float>;
 constexpr float kWhole = 65535.0F;
 // Round the pot: a power of two, one for each pixel that is seen in front or two.
 int columns_for(int width_px) {
@@ -70,7 +68,7 @@ void PotColours::fill(int first_row, bool inside, const PotShading& shading) {
         at.height_mm = height_mm_ * static_cast<float>(row) / static_cast<float>(rows_ - 1);
         for (int column = 0; column < columns_; ++column) {
             const float fraction = (static_cast<float>(column) + 0.5F) / static_cast<float>(columns_);
-            at.angle = 2.0F * kHalfTurn * fraction - kHalfTurn;
+            at.angle = kTurnF * fraction - kPiF;
             colours_[static_cast<std::size_t>((first_row + row) * columns_ + column)] =
                 packed(shading.colour(at));
         }
@@ -85,7 +83,7 @@ float PotColours::row_of(const PotSurface& surface, bool inside) const {
 }
 
 float PotColours::column_of(const PotSurface& surface) const {
-    return (surface.angle + kHalfTurn) / (2.0F * kHalfTurn) * static_cast<float>(columns_);
+    return (surface.angle + kPiF) / kTurnF * static_cast<float>(columns_);
 }
 
 float PotColours::columns_turned(double turn) const {

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "game/pot/surface_builder.h"
 
 namespace onggi::screens {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // Such that the middle of an edge lies a seventh of a pixel inside the circle at most: R (1 - cos(pi/n)).
 int corners_of(float radius_px) {
@@ -139,7 +136,7 @@ PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad
             corners_[vertex] = {origin + scale * vec2(place.x, -(place.y * cosine - place.z * sine)),
                                 place.y * sine + place.z * cosine,
                                 {.height_mm = place.y,
-                                 .angle = kPi * (2.0F * static_cast<float>(surface.turns(strip, k)) - 1.0F),
+                                 .angle = kPiF * (2.0F * static_cast<float>(surface.turns(strip, k)) - 1.0F),
                                  .normal = turned(surface.normals[vertex]),
                                  .inside = strip.inside}};
         }

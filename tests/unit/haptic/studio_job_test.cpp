@@ -136,13 +136,12 @@ TEST(StudioLoop, GivesTheDentsOfAStandingWheelRoundThePot) {
     for (int k = 0; k < 2000; ++k)
         tick(state, {.position_mm = {59.0, 20.0, 0.0}, .radius_mm = 12.0}, parameters);
     const pot::Pot shape = pot_of(state);
-    ASSERT_EQ(shape.dents_mm.size(), static_cast<std::size_t>(kDentRows) * pot::kDentSectors);
+    ASSERT_EQ(shape.dents_mm.size(), static_cast<std::size_t>(kDentRows) * kDentSectors);
     const auto deepest = std::min_element(shape.dents_mm.begin(), shape.dents_mm.end());
     const auto at = static_cast<std::size_t>(deepest - shape.dents_mm.begin());
     EXPECT_LT(*deepest, -0.5F);
-    EXPECT_TRUE(at % pot::kDentSectors == 0 || at % pot::kDentSectors == pot::kDentSectors - 1)
-        << at % pot::kDentSectors;
-    EXPECT_NEAR((static_cast<double>(at / pot::kDentSectors) + 0.5) / kDentRows * shape.height_mm, 20.0, 2.0);
+    EXPECT_TRUE(at % kDentSectors == 0 || at % kDentSectors == kDentSectors - 1) << at % kDentSectors;
+    EXPECT_NEAR((static_cast<double>(at / kDentSectors) + 0.5) / kDentRows * shape.height_mm, 20.0, 2.0);
     EXPECT_TRUE(pot_of(test::studio_start()).dents_mm.empty());
 }
 

@@ -10,8 +10,6 @@
 namespace onggi::render {
 namespace {
 
-constexpr float kHalfTurn = 3.14159265F;
-
 struct Built {
     explicit Built(const Lathe& lathe) {
         build_profile(lathe, profile);
@@ -110,8 +108,7 @@ TEST_F(LatheVertices, MoveBothFacesOfADentedWallAlike) {
 TEST_F(LatheVertices, LeanTheWayOutwardsAcrossADent) {
     std::vector<float> dents(4 * kDentSectors);
     for (std::size_t i = 0; i < dents.size(); ++i)
-        dents[i] =
-            2.0F * std::sin(2.0F * kHalfTurn * (static_cast<float>(i % kDentSectors) + 0.5F) / kDentSectors);
+        dents[i] = 2.0F * std::sin(kTurnF * (static_cast<float>(i % kDentSectors) + 0.5F) / kDentSectors);
     Lathe lathe = pot.lathe();
     lathe.dents_mm = dents;
     const Built built(lathe);

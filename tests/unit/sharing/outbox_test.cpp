@@ -1,11 +1,13 @@
 #include "game/sharing/outbox.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "game/sharing/kept_note.h"
+#include "shaders/curve.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/shared_pot_samples.h"
 #include "tests/support/temporary_folder.h"
@@ -67,6 +69,15 @@ TEST_F(OutboxTest, KeepsAPotWholeAndFindsItAfterARestart) {
     for (const auto& file : fs::directory_iterator(place))
         bytes += file.file_size();
     EXPECT_EQ(all->front().bytes, bytes);
+}
+
+TEST_F(OutboxTest, ShowsThePotInTheTonesOfTheWheelsScreen) {
+    const auto code = open_in(folder_ / "box").put(support::full_pot("one"), kNoon);
+    ASSERT_TRUE(code);
+    const std::string script = test::content_of(folder_ / "box" / code->text() / "pot.js");
+    const std::string curve =
+        fmt::format("c = c / ({} * c + {});", shaders::kCurveSlope, shaders::kCurveFoot);
+    EXPECT_NE(script.find(curve), std::string::npos) << curve;
 }
 
 TEST_F(OutboxTest, OpensWithTheVisitorsLanguage) {

@@ -55,7 +55,7 @@ TEST(ClayLook, BringsEveryColumnOfASnapshotToTheLathe) {
     const std::vector<float> top{10.0F, 30.0F, 60.0F, 100.0F};
     const std::vector<vec2> centre{{1.0F, 2.0F}, {3.0F, 4.0F}, {5.0F, 6.0F}, {7.0F, 8.0F}};
     const std::vector<float> half(4, 0.5F);
-    const std::vector<float> dents(2 * render::kDentSectors, -1.0F);
+    const std::vector<float> dents(2 * kDentSectors, -1.0F);
     pot::Pot pot{.outer_mm = outer,
                  .inner_mm = inner,
                  .top_mm = top,

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <ctime>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "engine/render/beauty.h"
@@ -99,7 +98,7 @@ asset::Image share_surface(const pot::Section& shape, int glaze) {
     constexpr int kColumns = 512;
     constexpr int kRows = 256;
     // The page counts from the right, where it first shows the pot; both counter-clockwise seen from above.
-    constexpr float kRight = 0.5F * std::numbers::pi_v<float>;
+    constexpr float kRight = 0.5F * kPiF;
     const finish::GlazeMaterial& material = finish::glaze_at(glaze);
     const std::vector<vec2>& wall = shape.outside;
     if (wall.size() < 2) return {};
@@ -117,8 +116,7 @@ asset::Image share_surface(const pot::Section& shape, int glaze) {
         const float part = (wanted - along[next - 1]) / std::max(along[next] - along[next - 1], 1e-6F);
         finish::GlazePlace at{.height_mm = glm::mix(wall[next - 1].y, wall[next].y, part)};
         for (int column = 0; column < kColumns; ++column) {
-            at.angle =
-                kRight + 2.0F * std::numbers::pi_v<float> * (static_cast<float>(column) + 0.5F) / kColumns;
+            at.angle = kRight + kTurnF * (static_cast<float>(column) + 0.5F) / kColumns;
             vec3 colour = finish::glaze_colour(material, shape.height_mm(), at);
             if (drawn_on.texture() != nullptr) {
                 const auto& texel = drawn_on.at(at.angle, at.height_mm / shape.height_mm());

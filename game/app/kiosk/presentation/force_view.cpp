@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace onggi::app {
 namespace {
@@ -45,7 +44,7 @@ std::vector<vec2> circle(const Sight& sight, double radius_mm, double y_mm, bool
     std::vector<vec2> line;
     for (int i = 0; i <= kPoints; ++i) {
         const double fraction = static_cast<double>(i) / kPoints;
-        const double angle = std::numbers::pi * (whole ? 2.0 * fraction : 1.0 - fraction);
+        const double angle = kPi * (whole ? 2.0 * fraction : 1.0 - fraction);
         const dvec2 at = radius_mm * (std::cos(angle) * right + std::sin(angle) * front);
         const auto px = sight.project({at.x, y_mm, at.y});
         if (!px) return {};

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/ui/painter.h"
 #include "game/app/kiosk/hand/kiosk_hand.h"
 #include "game/app/kiosk/presentation/exhibits.h"
+#include "game/clay/studio/load.h"
 #include "game/clay/studio/pot.h"
 #include "game/clay/studio/studio_parameters.h"
 #include "game/finish/glaze.h"
@@ -22,8 +22,6 @@ constexpr double kOpenedBoreMm = 14.0;   // in the middle of that, to the inner 
 constexpr double kRaisedFraction = 1.4;  // of the height when it was opened
 constexpr double kRaisedMm = 75.0;       // or this, however it came to it
 constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;
-constexpr double kWarnsAt = 0.85;
-constexpr double kRelaxesAt = 0.70;
 
 double volume_mm3(const pot::Pot& shape) {
     const auto& outer = shape.outer_mm;
@@ -35,8 +33,7 @@ double volume_mm3(const pot::Pot& shape) {
     for (std::size_t i = 0; i < outer.size(); ++i) {
         const double top_mm = tops.empty() ? below_mm + even_mm : double{tops[i]};
         const double bore_mm = inner.empty() ? 0.0 : double{inner[i]};
-        volume += std::numbers::pi * (double{outer[i]} * double{outer[i]} - bore_mm * bore_mm) *
-                  (top_mm - below_mm);
+        volume += kPi * (double{outer[i]} * double{outer[i]} - bore_mm * bore_mm) * (top_mm - below_mm);
         below_mm = top_mm;
     }
     return volume;
@@ -86,7 +83,8 @@ kiosk::Warning warning_for(clay::studio::Cause cause, double strength_kpa) {
 }
 
 kiosk::Warning warning_of(const haptic::LoadReport& load, kiosk::Warning before) {
-    const double limit = before == kiosk::Warning::kNone ? kWarnsAt : kRelaxesAt;
+    const double limit =
+        before == kiosk::Warning::kNone ? clay::studio::kWarnedLoad : clay::studio::kRelaxedLoad;
     return load.index < limit ? kiosk::Warning::kNone : warning_for(load.cause, load.strength_kpa);
 }
 

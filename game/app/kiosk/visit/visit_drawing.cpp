@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "engine/jobs/thread_setup.h"
@@ -16,8 +15,6 @@ using decoration::Stroke;
 using decoration::Technique;
 using decoration::WallPlace;
 using kiosk::Button;
-
-constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 
 const finish::MarkPalette& raw_palette() {
     return finish::wet_clay().marks;
@@ -161,7 +158,7 @@ std::optional<WallPlace> VisitDrawing::place_at(vec2 px) const {
 std::optional<WallPlace> VisitDrawing::place_of_dot() const {
     if (!work_) return std::nullopt;
     const dvec3 eye = view_.towards_eye({0.0, 0.5 * work_->dry.height_mm, 0.0});
-    const double turns = (std::atan2(-eye.z, eye.x) + dot_rad_ - turned_rad_) / kWholeTurn;
+    const double turns = (std::atan2(-eye.z, eye.x) + dot_rad_ - turned_rad_) / kTurn;
     return WallPlace{.turns = turns - std::floor(turns),
                      .height_mm = dot_fraction_ * double{work_->canvas.wall().height_mm},
                      .facing = std::cos(dot_rad_)};
@@ -215,7 +212,7 @@ void VisitDrawing::nudge(Button way) {
     const double height_mm = double{work_->canvas.wall().height_mm};
     const double round_mm = double{work_->canvas.wall().round_at_along(
         work_->canvas.wall().along_at(static_cast<float>(dot_fraction_ * height_mm)))};
-    const double step_rad = kWholeTurn * kStepMm / round_mm;
+    const double step_rad = kTurn * kStepMm / round_mm;
     if (way == Button::kHandUp) dot_fraction_ += kStepMm / height_mm;
     if (way == Button::kHandDown) dot_fraction_ -= kStepMm / height_mm;
     if (way == Button::kHandLeft) dot_rad_ -= step_rad;
@@ -319,7 +316,7 @@ void VisitDrawing::pass(double dt_s) {
         return;
     }
     if (!work_) return;
-    if (flow_.state().decorating.turns) turned_rad_ += kWholeTurn * dt_s / kTurnS;
+    if (flow_.state().decorating.turns) turned_rad_ += kTurn * dt_s / kTurnS;
     if (flow_.state().decorating.tool == kiosk::kMotifTool) return;
     if (finger_px_ && !turns_by_hand_) draw_at(place_at(*finger_px_));
     if (brush_down_) draw_at(place_of_dot());
@@ -347,7 +344,7 @@ std::vector<vec2> VisitDrawing::ring(bool keys_lead) const {
     const double radius_mm = std::max(kLeastMm, 0.5 * stroke.width / decoration::kWidthUnitsPerMm);
     std::vector<vec2> ring;
     for (int i = 0; i <= kPoints; ++i) {
-        const double angle = kWholeTurn * i / kPoints;
+        const double angle = kTurn * i / kPoints;
         const auto px = view_.project(decoration::place_of(
             wall, work_->scale, heading(), place->turns + radius_mm * std::cos(angle) / round_mm,
             std::clamp(place->height_mm + radius_mm * std::sin(angle), 0.0, double{wall.height_mm})));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "game/screens/page/layout.h"
@@ -85,7 +84,7 @@ std::optional<screens::Band> VisitScene::band_round(const pot::Pot& shape, doubl
         const double radius_mm = wall_at(shape, std::min(y_mm, shape.height_mm - 0.5)).outer_mm;
         if (radius_mm <= 0.0) return std::nullopt;
         for (int i = 0; i <= kPoints; ++i) {
-            const double angle = std::numbers::pi * (1.0 - static_cast<double>(i) / kPoints);
+            const double angle = kPi * (1.0 - static_cast<double>(i) / kPoints);
             const auto px =
                 parts_.view.project({radius_mm * std::cos(angle), y_mm, radius_mm * std::sin(angle)});
             if (!px) return std::nullopt;
@@ -147,7 +146,7 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
         constexpr int kPoints = 40;
         const CueHold& hold = *place->hold;
         for (int i = 0; i <= kPoints; ++i) {
-            const double angle = 2.0 * std::numbers::pi * i / kPoints;
+            const double angle = kTurn * i / kPoints;
             const auto px = parts_.view.project(
                 {hold.opening_mm * std::cos(angle), hold.high_mm, hold.opening_mm * std::sin(angle)});
             if (!px) return std::nullopt;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "game/app/kiosk/visit/bench_tools.h"
@@ -160,7 +159,7 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
     std::vector<vec2> rim;
     constexpr int kPoints = 48;
     for (int i = 0; i <= kPoints; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / kPoints;
+        const double angle = kTurn * i / kPoints;
         rim.push_back(seen({double{outline.back().x} * std::cos(angle), double{outline.back().y},
                             double{outline.back().x} * std::sin(angle)}));
     }

@@ -1,7 +1,6 @@
 #include "game/app/kiosk/visit/visit_wheel.h"
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 
 #include "game/haptic/tools.h"
@@ -210,7 +209,7 @@ void VisitWheel::soak(const VisitMoment& moment) {
     const bool soaks = snapshot.tool.tool == haptic::kSponge && snapshot.tool.guided &&
                        snapshot.result.grip.grip != clay::studio::Grip::kNone && !hand_.shows();
     soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
-    if (soaked_rad_ < 2.0 * std::numbers::pi) return;
+    if (soaked_rad_ < kTurn) return;
     soaked_rad_ = 0.0;
     flow_.dispatch({Event::Kind::kSoaked});
 }
