@@ -102,7 +102,8 @@ class LiveAmongDevices : public ::testing::Test {
             }
             return false;
         };
-        EXPECT_TRUE(comes_true(feels_a_wall)) << written;
+        // Whenever a busy machine holds the loop up for a tenth of a second, the force comes anew.
+        EXPECT_TRUE(comes_true(feels_a_wall, std::chrono::minutes(2))) << written;
         return written;
     }
     static bool says(RunningOnggi& program, std::string_view line) {
@@ -175,7 +176,7 @@ TEST_F(LiveAmongDevices, ADeviceMayComeAndGoWhileTheWheelTurns) {
     const auto plugged_in = std::chrono::steady_clock::now();
     ASSERT_TRUE(says(onggi, "device: 3Dconnexion SpaceMouse Compact is here (/dev/hidraw5)\n"))
         << onggi.printed();
-    EXPECT_LT(std::chrono::steady_clock::now() - plugged_in, std::chrono::seconds(10));
+    EXPECT_LT(std::chrono::steady_clock::now() - plugged_in, test::scaled(std::chrono::seconds(10)));
     EXPECT_EQ(bus_.at(kSpaceMouse).take_written(), "0401") << "its lamp burns";
     bus_.pull_out(kSpaceMouse);
     ASSERT_TRUE(says(onggi, "device: 3Dconnexion SpaceMouse Compact is gone\n")) << onggi.printed();
