@@ -9,6 +9,7 @@
 #include "engine/haptics/hid/simple_drivers.h"
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_hid.h"
+#include "tests/support/patience.h"
 
 namespace onggi::haptics::hid {
 namespace {
@@ -44,11 +45,12 @@ class Heard {
         if (port) port_ = std::move(port).value();
     }
 
-    // Waits for it for ten seconds; empty when none came.
+    // Waits for it for ten seconds, longer on a slow machine; empty when none came.
     [[nodiscard]] std::span<const std::uint8_t> next() {
         if (!port_) return {};
         EXPECT_TRUE(port_->write(kAsked));
-        const auto size = port_->read(bytes_, 10'000);
+        const auto size =
+            port_->read(bytes_, static_cast<int>(test::scaled(std::chrono::seconds(10)).count()));
         EXPECT_TRUE(size);
         return std::span(bytes_).first(size ? *size : 0);
     }

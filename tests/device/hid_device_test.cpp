@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_hid.h"
@@ -212,11 +213,12 @@ TEST(JoystickOnTheBus, IsStoppedATenthOfASecondAfterTheLastOrderAndStartedByTheN
         << device->status().message;
     stick.take_written();
     std::uint64_t tick = 0;
-    Clock::time_point last_order;
+    Clock::time_point last_order = Clock::now();
+    Clock::time_point order_before;
     std::string written;
     const auto tick_once = [&] {
         (void)device->read(tick++, 0.001);
-        last_order = Clock::now();
+        order_before = std::exchange(last_order, Clock::now());
         device->write({});
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         written += stick.take_written();
@@ -225,15 +227,27 @@ TEST(JoystickOnTheBus, IsStoppedATenthOfASecondAfterTheLastOrderAndStartedByTheN
         written += stick.take_written();
         return written.find(report) != std::string::npos;
     };
+    const auto ms_since = [](Clock::time_point order) {
+        return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - order).count();
+    };
     constexpr std::string_view kStopAll = "0c04";
-    for (int count = 0; count < 300; ++count)
+    // A machine that is busy may hold the orders themselves up for so long.
+    for (int count = 0; count < 300; ++count) {
         tick_once();
-    EXPECT_FALSE(is_told(kStopAll)) << "while orders come: " << written;
+        if (is_told(kStopAll)) {
+            EXPECT_GE(ms_since(order_before), 100) << "while orders come: " << written;
+        }
+        written.clear();
+    }
+    ASSERT_TRUE(comes_true([&] {
+        written.clear();
+        tick_once();
+        return !is_told(kStopAll);
+    })) << "each order came too late";
     ASSERT_TRUE(comes_true([&] { return is_told(kStopAll); })) << written;
-    const auto silent_ms =
-        std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - last_order).count();
-    EXPECT_GE(silent_ms, 100);
-    EXPECT_LE(silent_ms, 1000) << "a tenth of a second, on a machine that is busy with other things";
+    EXPECT_GE(ms_since(order_before), 100);
+    EXPECT_LE(ms_since(last_order), 1000 * test::slowness())
+        << "a tenth of a second, on a machine that is busy with other things";
     written.clear();
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     EXPECT_EQ(stick.take_written(), "") << "stopped once, nothing is started again";

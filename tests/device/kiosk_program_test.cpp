@@ -5,11 +5,11 @@
 #include <signal.h>  // NOLINT: SIGTERM
 
 #include <chrono>
-#include <thread>
 
 #include "tests/cli/cli_expectations.h"
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_hid.h"
+#include "tests/support/comes_true.h"
 
 namespace onggi {
 namespace {
@@ -19,13 +19,11 @@ using testing::kPedal;
 using testing::kSpaceMouse;
 using testing::MockBus;
 
-// At most a minute: a software driver under a sanitizer takes ten seconds to its first frame.
+// A minute, because a software driver under a sanitizer takes ten seconds to its first frame.
 bool says(RunningOnggi& program, std::string_view line) {
-    for (int round = 0; round < 6'000 && program.at_work(); ++round) {
-        if (program.printed().find(line) != std::string::npos) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return program.printed().find(line) != std::string::npos;
+    const auto has_said = [&] { return program.printed().find(line) != std::string::npos; };
+    test::comes_true([&] { return has_said() || !program.at_work(); }, std::chrono::minutes(1));
+    return has_said();
 }
 
 TEST(KioskAmongDevices, TakesThemAsTheyComeAndLeavesThemInPeaceWhenItIsEnded) {

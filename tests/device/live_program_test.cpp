@@ -80,15 +80,18 @@ class LiveAmongDevices : public ::testing::Test {
         words.insert(words.end(), more.begin(), more.end());
         return RunningOnggi(words, {.folder = folder_.path()});
     }
-    // Plugged in and taken in hand, its stick beside the clay for the ramp and then 2 mm deep. What it was
-    // told since.
+    // Plugged in and taken in hand, its stick beside the clay for the ramp and then 2 mm deep. Where a busy
+    // machine holds the loop up meanwhile, the force stays off until the tool has left the clay, so that it
+    // is tried again, and for longer. What the joystick was told since.
     std::string press_into_the_clay(const LiveHid& joystick) {
         int trembles = 0;
-        for (int report = 0; report < 150; ++report) {
-            joystick.report(stick_at(90.0 + 2.0 * (++trembles % 2), 100.0));
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        joystick.take_written();
+        const auto stay_beside_the_clay = [&](int reports) {
+            for (int report = 0; report < reports; ++report) {
+                joystick.report(stick_at(90.0 + 2.0 * (++trembles % 2), 100.0));
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            }
+            joystick.take_written();
+        };
         std::string written;
         // A one-sided spring on X: block 1, the centre where the clay's face is, and stiff on one side only.
         const auto feels_a_wall = [&] {
@@ -102,7 +105,14 @@ class LiveAmongDevices : public ::testing::Test {
             }
             return false;
         };
-        EXPECT_TRUE(comes_true(feels_a_wall)) << written;
+        constexpr int kTries = 8;
+        bool is_felt = false;
+        for (int tries = 1; tries <= kTries && !is_felt; ++tries) {
+            stay_beside_the_clay(150 * tries);
+            written.clear();
+            is_felt = comes_true(feels_a_wall, std::chrono::seconds(2 * tries));
+        }
+        EXPECT_TRUE(is_felt) << written;
         return written;
     }
     static bool says(RunningOnggi& program, std::string_view line) {
@@ -175,7 +185,7 @@ TEST_F(LiveAmongDevices, ADeviceMayComeAndGoWhileTheWheelTurns) {
     const auto plugged_in = std::chrono::steady_clock::now();
     ASSERT_TRUE(says(onggi, "device: 3Dconnexion SpaceMouse Compact is here (/dev/hidraw5)\n"))
         << onggi.printed();
-    EXPECT_LT(std::chrono::steady_clock::now() - plugged_in, std::chrono::seconds(10));
+    EXPECT_LT(std::chrono::steady_clock::now() - plugged_in, test::scaled(std::chrono::seconds(10)));
     EXPECT_EQ(bus_.at(kSpaceMouse).take_written(), "0401") << "its lamp burns";
     bus_.pull_out(kSpaceMouse);
     ASSERT_TRUE(says(onggi, "device: 3Dconnexion SpaceMouse Compact is gone\n")) << onggi.printed();

@@ -21,6 +21,12 @@ using testing::kSpaceMouse;
 using testing::MockBus;
 using testing::MockHid;
 
+// In a child that becomes the program: nobody else on this machine can listen at the port where it looks for
+// the service of an Inverse3. Where that is refused, the port is the machine's.
+void alone_on_the_network() {
+    static_cast<void>(test::enter_own_network());
+}
+
 TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
     MockBus bus;
     MockHid keyboard = kPedal;
@@ -30,7 +36,7 @@ TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
     keyboard.product = "Keyboard";
     for (const MockHid& device : {kSpaceMouse, kPedal, kDualSense, kJoystick, keyboard})
         bus.plug_in(device);
-    const test::ProgramRun run = test::run_onggi({"devices"});
+    const test::ProgramRun run = test::run_onggi({"devices"}, {.in_child = alone_on_the_network});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     for (const char* line :
          {"good     device  simulated tool: mouse or touch, always there; the tool lags behind\n",
@@ -52,35 +58,27 @@ TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
     }
 }
 
-// A service on the port where the Inverse3's would be, for as long as it lives. False: the port is taken.
-class Listening {
-  public:
-    Listening() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-        sockaddr_in address{};
-        address.sin_family = AF_INET;
-        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        address.sin_port = htons(10001);
-        const int yes = 1;
-        ::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-        listens_ = ::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
-                   ::listen(socket_, 4) == 0;
-    }
-    ~Listening() { ::close(socket_); }
-    Listening(const Listening&) = delete;
-    Listening& operator=(const Listening&) = delete;
-    [[nodiscard]] bool listens() const { return listens_; }
-
-  private:
-    int socket_;
-    bool listens_ = false;
-};
+// In a child that becomes the program: a service on the port where the Inverse3's would be. The program holds
+// the socket without knowing it, and the kernel lets connections wait there.
+void listen_as_the_inverse_service() {
+    alone_on_the_network();
+    const int listening = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(10001);
+    const int yes = 1;
+    ::setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    if (::bind(listening, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+        ::listen(listening, 4) != 0)
+        ::_exit(126);
+}
 
 TEST(DevicesCommand, SaysWhetherTheServiceOfAnInverseListens) {
     const MockBus bus;
     {
-        const Listening service;
-        ASSERT_TRUE(service.listens());
-        const test::ProgramRun run = test::run_onggi({"devices"});
+        const test::ProgramRun run =
+            test::run_onggi({"devices"}, {.in_child = listen_as_the_inverse_service});
         EXPECT_EQ(run.exit_code, 0) << run.err;
         EXPECT_NE(
             run.out.find("good     device  Haply Inverse3: its service is found at 127.0.0.1:10001; moves "
@@ -89,7 +87,7 @@ TEST(DevicesCommand, SaysWhetherTheServiceOfAnInverseListens) {
             std::string::npos)
             << run.out;
     }
-    const test::ProgramRun run = test::run_onggi({"devices"});
+    const test::ProgramRun run = test::run_onggi({"devices"}, {.in_child = alone_on_the_network});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_NE(
         run.out.find("note     device  Haply Inverse3: looked for at 127.0.0.1:10001 while the wheel runs; "

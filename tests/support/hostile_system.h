@@ -5,11 +5,14 @@
 #include <linux/capability.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <net/if.h>
 #include <sched.h>
 #include <signal.h>  // NOLINT: sigaction is POSIX
+#include <sys/ioctl.h>
 #include <sys/mount.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -79,17 +82,35 @@ inline std::string in_child(const std::function<std::string()>& work) {
     return answer;
 }
 
-// In a child: a set of mounts of its own, as root or through a user namespace. False where neither is had.
-inline bool enter_own_mounts() {
+// In a child: a namespace of its own, as root or through a user namespace. False where neither is had.
+inline bool enter_own(int kind) {
     const uid_t user = ::getuid();
     const gid_t group = ::getgid();
-    if (::unshare(CLONE_NEWNS) != 0) {
-        if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
-        std::ofstream("/proc/self/setgroups") << "deny";
-        std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
-        std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
-    }
-    return ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0;
+    if (::unshare(kind) == 0) return true;
+    if (::unshare(CLONE_NEWUSER | kind) != 0) return false;
+    std::ofstream("/proc/self/setgroups") << "deny";
+    std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+    std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+    return true;
+}
+
+// In a child: a set of mounts of its own. False where that is refused.
+inline bool enter_own_mounts() {
+    return enter_own(CLONE_NEWNS) && ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0;
+}
+
+// In a child: a network of its own, with nothing but 127.0.0.1, so that every port there is free. False where
+// that is refused.
+inline bool enter_own_network() {
+    if (!enter_own(CLONE_NEWNET)) return false;
+    const int any = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    ifreq loopback{};
+    loopback.ifr_name[0] = 'l';
+    loopback.ifr_name[1] = 'o';
+    loopback.ifr_flags = IFF_UP;
+    const bool is_up = ::ioctl(any, SIOCSIFFLAGS, &loopback) == 0;
+    ::close(any);
+    return is_up;
 }
 
 // In a child: a disk of `bytes` at `folder`, seen by this child only.
