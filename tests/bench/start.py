@@ -16,22 +16,14 @@ import time
 import watched_kiosk
 
 
-def resident_mb(process):
-    """VmRSS, in MB of a million bytes."""
-    with open(f"/proc/{process}/status") as status:
-        for line in status:
-            if line.startswith("VmRSS:"):
-                return int(line.split()[1]) * 1024 / 1e6
-    raise SystemExit(f"/proc/{process}/status: expected VmRSS, found none")
-
-
 def start(program, folder, display, cache, after_s):
-    """Seconds to the first picture, and MB that many seconds later."""
+    """Seconds to the first picture; MB of its own and MB that are resident, so many seconds later."""
     began = time.monotonic()
     with watched_kiosk.kiosk(program, folder, display, MESA_SHADER_CACHE_DIR=cache) as kiosk:
         took_s = time.monotonic() - began
         time.sleep(after_s)
-        return took_s, resident_mb(kiosk.pid)
+        own_mb, resident_mb = (watched_kiosk.memory_mb(kiosk.pid, "smaps_rollup", name) for name in ("Anonymous", "Rss"))
+        return took_s, own_mb, resident_mb
 
 
 def main():
@@ -52,8 +44,8 @@ def main():
                 cache = folder + ("/kept" if kind == "again" else f"/{kind[0]}{run}")
                 if kind == "again" and run == 0:
                     start(wish.program, folder, display, cache, 0)
-                took_s, mb = start(wish.program, folder, display, cache, wish.after)
-                print(f"{kind}: {took_s:.2f} s, then {mb:.0f} MB", flush=True)
+                took_s, own_mb, resident_mb = start(wish.program, folder, display, cache, wish.after)
+                print(f"{kind}: {took_s:.2f} s, then {own_mb:.0f} MB of its own, {resident_mb:.0f} MB resident", flush=True)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,16 @@ import subprocess
 import tempfile
 
 
+def memory_mb(process, account, name):
+    """A size that /proc says of a process, MB of a million bytes: of smaps_rollup Anonymous, which is what the program has
+    allocated itself, or Rss, with the files that it has mapped; of status VmHWM, the most that Rss ever was."""
+    with open(f"/proc/{process}/{account}") as lines:
+        for line in lines:
+            if line.startswith(name + ":"):
+                return int(line.split()[1]) * 1024 / 1e6
+    raise ValueError(f"/proc/{process}/{account}: expected {name}, found none")
+
+
 @contextlib.contextmanager
 def display(size, folder):
     """The name of a new display of WxH pixels; what it shows lies in folder/Xvfb_screen0, as xwd writes it."""

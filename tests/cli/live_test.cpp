@@ -71,7 +71,8 @@ TEST(Live, ThrowsTheSamePotAsSimulatedTime) {
     }
 }
 
-// The whole picture, in the 200 MB that a kiosk may take. Seconds depend on the machine, megabytes hardly.
+// The whole picture. Seconds depend on the machine, and so do resident megabytes, by its fonts and drivers; those that
+// the program has allocated hardly do.
 TEST(Live, TellsItsFirstFrameAndKeepsItsMemorySmall) {
     const TemporaryFolder folder;
     put_file(folder / "g.csv", kShortGesture);
@@ -82,9 +83,11 @@ TEST(Live, TellsItsFirstFrameAndKeepsItsMemorySmall) {
     ASSERT_TRUE(stats.at("first_frame_s").is_number());
     ASSERT_TRUE(stats.at("resident_mb").is_number());
     EXPECT_GT(stats.at("first_frame_s").get<double>(), 0.05);
-    EXPECT_GT(stats.at("resident_mb").get<double>(), 20.0);
+    ASSERT_TRUE(stats.at("own_mb").is_number());
+    EXPECT_GT(stats.at("own_mb").get<double>(), 20.0);
+    EXPECT_GT(stats.at("resident_mb").get<double>(), stats.at("own_mb").get<double>());
     if (!is_sanitized()) {
-        EXPECT_LT(stats.at("resident_mb").get<double>(), 200.0);
+        EXPECT_LT(stats.at("own_mb").get<double>(), 150.0);
     }
 }
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # A visitor at the window, from attract to a kept pot: visit.sh ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]], as
-# visitor.sh says them. TOOLS: one switch takes up every tool, too.
+# visitor.sh says them. TOOLS: one switch takes up every tool, too. MEMORY: what the kiosk holds is watched.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/memory.sh"
 
 # Another language, its own again, and all controls in the lower half: from the choice of pots and back to it.
 through_languages() {
@@ -71,6 +72,17 @@ with_every_tool() {
 }
 
 is_a_lump() { [ "$(clay_mm)" -eq 50 ]; }
+# By mouse, from an untouched lump to the next: a touch, a look into the clay, another screen, new clay.
+to_new_clay() {
+    press_it
+    press throw-0 look-in; on_screen throw
+    press throw-look-in look-in; on_screen throw
+    press throw-0 languages; on_screen "throw - language $language"
+    press language comfort-done; on_screen throw
+    press throw-0 new-clay
+    wait_for "new clay" is_a_lump
+    on_screen throw
+}
 
 begin_visit
 [ "$hand" = keys ] && through_languages
@@ -83,6 +95,7 @@ keys) press choose target 1 ;;
 *) press choose free ;;
 esac
 on_screen throw
+[ -z "${MEMORY:-}" ] || holds_no_more to_new_clay
 # Somebody leans on the panel's edge, and will till the end.
 [ "$hand" = touch ] && point palm 3 $((height * 6 / 10)) sleep 4
 press_it

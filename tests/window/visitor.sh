@@ -6,8 +6,7 @@
 # have no buttons for screens: there the mouse helps). If set before: FORGIVING: whether the clay bears more than clay
 # does; BACKEND: who draws; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already, where
 # the kiosk is full screen and ends when it is asked to; TOUCH_SCREEN: the socket of that display's touch screen;
-# UNOPTIMISED: the kiosk is, and its pictures come late; MOST_RESIDENT_MB: what the kiosk may hold at any moment; OPENS,
-# ENDS: functions that start the kiosk, putting its process into `kiosk`, and end it, in the place of those here.
+# UNOPTIMISED: the kiosk is, and its pictures come late; OPENS, ENDS: functions that start the kiosk, putting its process into `kiosk`, and end it, in the place of those here.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/throwing.sh"
@@ -77,19 +76,12 @@ end_kiosk() { "${ENDS:-$([ -n "${CAGED:-}" ] && echo ask_to_end || echo press_es
 press_escape() { xdotool key Escape; }
 ask_to_end() { kill -TERM "$kiosk"; }
 open_kiosk
-# look_at_memory SCREEN: the most that was held at any moment from the start to there, in MB of a million bytes.
-look_at_memory() {
-    most_seen_mb=$(awk '$1 == "VmHWM:" { print int($2 * 1024 / 1000000 + 0.5) }' "/proc/$kiosk/status")
-    [ "$most_seen_mb" -le "$MOST_RESIDENT_MB" ] ||
-        fail "expected at most $MOST_RESIDENT_MB MB of resident memory up to '$1', found $most_seen_mb MB"
-}
 # A screen is there when the title says so, its picture some frames and a cross-fade of a quarter of a second later.
 settled_s=${UNOPTIMISED:+3}
 settled_s=${settled_s:-0.6}
 on_screen() {
     wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm(, (rib|sponge|wire))?(, tools)?| - [0-9]+ strokes| - [0-9]+ g)?( .[0-9]+.)?\$"
     sleep "$settled_s"
-    [ -z "${MOST_RESIDENT_MB:-}" ] || look_at_memory "$1"
     shot=$((shot + 1))
     # The root of Xwayland is empty.
     local seen=root
@@ -292,5 +284,4 @@ keep_the_pot() {
     verdict=$("$programs/judge_session" "$pot/pot.onggi") || fail "expected a pot, found ${verdict:-no verdict}"
     "$onggi" replay "$pot/pot.onggi" --validate || fail "the session that was kept does not replay"
     printf 'kept by %s in %s: %s, %s\n' "$hand" "$language" "$pot" "$verdict"
-    [ -z "${MOST_RESIDENT_MB:-}" ] || printf 'resident memory: %s MB at most\n' "$most_seen_mb"
 }

@@ -66,6 +66,7 @@ Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
         pass_over_records(job);
     }
     report.resident_mb = resident_mb();
+    report.own_mb = own_mb();
     job.stop();
 
     report.rate_hz = rate_hz;

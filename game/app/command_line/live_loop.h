@@ -44,6 +44,7 @@ struct LiveReport {
     std::uint64_t frames = 0;             // drawn
     std::optional<double> first_frame_s;  // when the first was there, since the process was started
     std::optional<double> resident_mb;    // of the process, after the last
+    std::optional<double> own_mb;         // what of that it has allocated
     jobs::Histogram frame_ns;             // what a frame took
     jobs::Histogram frame_interval_ns;    // from the start of a frame to the start of the next
     std::uint64_t lumps = 0;              // how many were begun

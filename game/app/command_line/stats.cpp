@@ -105,6 +105,7 @@ nlohmann::ordered_json live_stats(const LiveReport& report) {
     stats["frames"] = report.frames;
     stats["first_frame_s"] = or_null<nlohmann::ordered_json>(report.first_frame_s);
     stats["resident_mb"] = or_null<nlohmann::ordered_json>(report.resident_mb);
+    stats["own_mb"] = or_null<nlohmann::ordered_json>(report.own_mb);
     stats["frame_ms"] = percentiles(report.frame_ns, kNsPerMs);
     stats["frame_interval_ms"] = percentiles(report.frame_interval_ns, kNsPerMs);
     stats["lumps"] = report.lumps;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace onggi::app {
 
@@ -27,13 +28,26 @@ std::optional<double> since_start_s() {
     return now_s - start_ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-std::optional<double> resident_mb() {
+namespace {
+
+// A line of /proc/self/status that is a size.
+std::optional<double> status_mb(std::string_view name) {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;) {
         double kib = 0.0;
-        if (word == "VmRSS:" && status >> kib) return kib * 1024.0 / 1e6;
+        if (word == name && status >> kib) return kib * 1024.0 / 1e6;
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> resident_mb() {
+    return status_mb("VmRSS:");
+}
+
+std::optional<double> own_mb() {
+    return status_mb("RssAnon:");
 }
 
 }  // namespace onggi::app
