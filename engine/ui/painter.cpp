@@ -45,7 +45,6 @@ using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
 using Cairo = std::unique_ptr<cairo_t, DestroyCairo>;
 using Pattern = std::unique_ptr<cairo_pattern_t, DestroyPattern>;
 
-
 void set_colour(cairo_t* cairo, const Colour& colour) {
     cairo_set_source_rgba(cairo, double{colour.r}, double{colour.g}, double{colour.b}, double{colour.a});
 }
