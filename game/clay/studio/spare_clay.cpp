@@ -65,7 +65,7 @@ double share_near(Rings& rings, const std::vector<double>& weight, double whole,
         const double taken = std::min(part, std::fabs(left));
         const double signed_part = gives ? taken : -taken;
         const double outer = rings.outer_mm[at(i)];
-        const double area = (volume + signed_part) / (std::numbers::pi * rings.height_mm[at(i)]);
+        const double area = (volume + signed_part) / (kPi * rings.height_mm[at(i)]);
         const double square = outer * outer - area;
         if (!(square > 0.25)) continue;
         rings.volume_mm3[at(i)] = volume + signed_part;
@@ -138,69 +138,13 @@ Changed share_out(Rings& rings, std::vector<double>& weight, double y, double fr
         share_among_all(rings, free_mm3);
         return {0, rings.count};
     }
-    const Rings::Range near = rings.rings_between(y - 2.5 * kGiveReachMm, y + 2.5 * kGiveReachMm);
-    const int from = std::max(first, near.first);
-    double whole = 0.0;
-    for (int i = from; i < near.end; ++i) {
-        const double t = rings.wall_mm(i);
-        const double ri = rings.inner_mm[at(i)];
-        const double dy = (rings.centre_mm(i) - y) * (1.0 / kGiveReachMm);
-        const double fade = 1.0 / ((1.0 + dy * dy) * (1.0 + dy * dy));
-        double want = 0.0;
-        if (gives) {
-            const double q = t * (1.0 / 14.0);
-            const double room = ri - narrowest_bore(t) - 1.0;
-            want = room > 0.0 ? room * ri * rings.height_mm[at(i)] / (1.0 + (q * q) * (q * q)) : 0.0;
-        } else {
-            const double spare = t - 1.25 * thinnest_mm(rings, rings.centre_mm(i));
-            want = spare > 0.0 ? spare * ri * rings.height_mm[at(i)] : 0.0;
-        }
-        weight[at(i)] = want * fade;
-        whole += want * fade;
-    }
-    double left = free_mm3;
-    if (whole > 0.0) {
-        const double per_weight = std::fabs(free_mm3) / whole;
-        for (int i = from; i < near.end; ++i) {
-            if (!(weight[at(i)] > 0.0)) continue;
-            const double volume = rings.volume_mm3[at(i)];
-            const double part = on_grid(std::min(weight[at(i)] * per_weight, kLargestGive * volume));
-            const double taken = std::min(part, std::fabs(left));
-            const double signed_part = gives ? taken : -taken;
-            const double outer = rings.outer_mm[at(i)];
-            const double area = (volume + signed_part) / (kPi * rings.height_mm[at(i)]);
-            const double square = outer * outer - area;
-            if (!(square > 0.25)) continue;
-            rings.volume_mm3[at(i)] = volume + signed_part;
-            rings.inner_mm[at(i)] = std::sqrt(square);
-            rings.height_mm[at(i)] = ring_height_mm(rings.volume_mm3[at(i)], outer, rings.inner_mm[at(i)]);
-            left -= signed_part;
-        }
-    }
-    if (left == 0.0) return {from, near.end};
-    // What is over: the hollow clay stands higher or lower by the same fraction everywhere; all of the clay,
-    // where there is little of it.
-    constexpr double kMostOfHollow = 0.05;
-    const auto sum_from = [&](int ring) {
-        double sum = 0.0;
-        for (int i = ring; i < rings.count; ++i)
-            sum += rings.volume_mm3[at(i)];
-        return sum;
-    };
-    const double hollow_mm3 = sum_from(first);
-    const bool is_much = std::fabs(left) > kMostOfHollow * hollow_mm3;
-    const int lowest = is_much ? 0 : first;
-    const double fraction = std::fabs(left) / (is_much ? sum_from(0) : hollow_mm3);
-    for (int i = rings.count - 1; i >= lowest; --i) {
-        const double volume = rings.volume_mm3[at(i)];
-        double part = std::min(on_grid(fraction * volume), std::fabs(left));
-        if (i == lowest) part = std::fabs(left);
-        const double signed_part = gives ? part : -part;
-        rings.volume_mm3[at(i)] += signed_part;
-        left -= signed_part;
-    }
-    rings.settle(lowest, rings.count);
-    return {std::min(lowest, from), rings.count};
+    Rings::Range near = rings.rings_between(y - 2.5 * kGiveReachMm, y + 2.5 * kGiveReachMm);
+    near.first = std::max(rings.first_hollow, near.first);
+    const double whole = weigh_near(rings, weight, y, free_mm3 > 0.0, near);
+    const double left = share_near(rings, weight, whole, free_mm3, near);
+    if (left == 0.0) return {near.first, near.end};
+    const int lowest = share_in_height(rings, left);
+    return {std::min(lowest, near.first), rings.count};
 }
 
 }  // namespace onggi::clay::studio
