@@ -53,7 +53,7 @@ backend = "${BACKEND:-auto}"
 [visit]
 forgiving = ${FORGIVING:-true}
 shows_by_itself = false
-idle_s = $((6 * silence_s))
+idle_s = 600
 [gallery]
 folder = "gallery"
 least_free_mb = 1
