@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-// A ring of the wall as a part of a cone: its radius at the middle of one row and of another.
+// A ring of the wall as a truncated cone: height and radius of its lower and upper edge.
 struct Ring {
     double low_mm;
     double high_mm;
@@ -17,7 +17,7 @@ struct Ring {
     double high_radius_mm;
 };
 
-// Along the ray, the first time it comes from outside; nothing: not within the ring.
+// The ray parameter of the first hit from outside; empty if the ray misses the ring.
 std::optional<double> first_meeting(const Ring& ring, const dvec3& eye, const dvec3& ray) {
     const double rise = ring.high_mm - ring.low_mm;
     const double slope = (ring.high_radius_mm - ring.low_radius_mm) / rise;
@@ -35,7 +35,7 @@ std::optional<double> first_meeting(const Ring& ring, const dvec3& eye, const dv
         if (t <= 0.0) continue;
         const double y = eye.y + t * ray.y;
         if (y < ring.low_mm || y > ring.high_mm) continue;
-        // From outside: the ray goes against the way outwards.
+        // A hit is from outside if the ray runs against the outward normal.
         const double outward =
             (eye.x + t * ray.x) * ray.x + (eye.z + t * ray.z) * ray.z - slope * (base + grow * t) * ray.y;
         if (outward >= 0.0) continue;
