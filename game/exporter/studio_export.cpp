@@ -43,8 +43,8 @@ dvec3 glazed_colour(ClayBody body) {
     return dvec3(0.5);
 }
 
-// Water between grains sends part of the light back inside, p of it: A (1 - p)/(1 - p A), after Lekner and
-// Dorf. What is dark gets darker, what is pale hardly.
+// Water between grains sends the fraction p of the light back inside: A (1 - p)/(1 - p A), after Lekner and
+// Dorf. Dark clay darkens much, pale clay little.
 dvec3 wetted(const dvec3& dry) {
     constexpr double kTurnedBack = 0.66;
     return dry * (1.0 - kTurnedBack) / (dvec3(1.0) - kTurnedBack * dry);
