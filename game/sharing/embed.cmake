@@ -1,5 +1,5 @@
-# Puts files into the program as text: cmake -D INTO=... -D FOLDER=... -D NAMESPACE=... -D NAMES="kCss=page.css;..."
-# -P embed.cmake. A literal may hold 65536 bytes at least.
+# Embeds files in the program as text: cmake -D INTO=... -D FOLDER=... -D NAMESPACE=... -D NAMES="kCss=page.css;..."
+# -P embed.cmake. Compilers accept literals of at least 65536 bytes.
 set(text "// Written while building from the files themselves. Any thread; constant.\n#pragma once\n\n#include <string_view>\n\nnamespace ${NAMESPACE} {\n")
 foreach(pair IN LISTS NAMES)
     string(REPLACE "=" ";" pair "${pair}")
