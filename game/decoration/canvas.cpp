@@ -31,7 +31,7 @@ float half_of(const Stroke& stroke, const StrokePoint& point) {
            (kLightest + (1.0F - kLightest) * static_cast<float>(point.pressure) / 255.0F);
 }
 
-// E. Catmull and R. Rom, 1974: a fraction of the way from b to c.
+// E. Catmull and R. Rom, 1974: the point at fraction t between b and c.
 MotifPoint between(const MotifPoint& a, const MotifPoint& b, const MotifPoint& c, const MotifPoint& d,
                    float t) {
     const auto of = [t](float p, float q, float r, float s) {
@@ -160,7 +160,7 @@ Result<void> Canvas::check_height(const StrokePoint& point, std::size_t stroke) 
                                  wall_.height_mm, height_of(point)));
 }
 
-// The blank wall is no secret.
+// A blank texture needs no checkpoint.
 void Canvas::keep_checkpoint() {
     if (strokes_.empty()) return;
     if (checkpoints_.size() >= kMostCheckpoints) checkpoints_.erase(checkpoints_.begin());
@@ -187,7 +187,7 @@ void Canvas::lay(const Stroke& stroke) {
 }
 
 Piece Canvas::piece_between(const StrokePoint& from, const StrokePoint& to, const Stroke& stroke) const {
-    // The nearer way round, exactly.
+    // The shorter way round, exactly: 16-bit wrap-around.
     const auto on = static_cast<std::int16_t>(static_cast<std::uint16_t>(to.turn - from.turn));
     return {.turns = turns_of(from),
             .along_mm = wall_.along_at(height_of(from)),
@@ -209,7 +209,8 @@ void Canvas::lay_motif(const Stroke& stroke) {
         for (int repeat = 0; repeat < stroke.repeats; ++repeat) {
             const float first =
                 turns_of(middle) + static_cast<float>(repeat) / static_cast<float>(stroke.repeats);
-            // Each at its own width of the pot, so that it stays as broad as it is high.
+            // Each point uses the pot's circumference at its own height, so that the motif keeps its
+            // proportions.
             const auto turns_at = [&](const MotifPoint& point) {
                 return first + point.x * unit_mm / wall_.round_at_along(middle_along + point.y * unit_mm);
             };
@@ -232,8 +233,8 @@ void Canvas::lay_piece(const Piece& piece, Ink ink) {
         blend(mask_.lay(piece, tip_of(ink), wall_), ink);
         return;
     }
-    // Three fingers of a hand that comes from the side: one above the other, whichever way it goes.
-    constexpr float kApart = 0.68F;  // of the half width
+    // Three fingers of a hand that comes from the side: always one above another, whatever the direction.
+    constexpr float kApart = 0.68F;  // fraction of the half width
     constexpr float kFinger = 0.30F;
     TextureRect touched;
     for (const float place : {-kApart, 0.0F, kApart}) {

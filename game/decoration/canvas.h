@@ -1,5 +1,5 @@
-// A pot's wall while it is drawn on: strokes in, texture out. A stroke that grows point by point, one that is
-// taken back, and the whole laid anew from its strokes come to the same bytes. Any one thread at a time.
+// Draws on a pot's wall: strokes in, texture out. A stroke that grows point by point, an undo, and a redraw
+// of all strokes lead to the same bytes. Any one thread at a time.
 #pragma once
 
 #include <vector>
@@ -13,37 +13,37 @@
 
 namespace onggi::decoration {
 
-// A decoration as it is kept: what it is drawn on, and its strokes.
+// A stored decoration: its wall and its strokes.
 struct Marks {
     Wall wall;
     Recorded recorded;
 
     friend bool operator==(const Marks&, const Marks&) = default;
 };
-// What they come to; blank where they were never drawn on that wall.
+// The texture of those marks; blank if the strokes do not fit the wall.
 [[nodiscard]] Texture texture_of(const Marks& marks);
 
-// Which way the pot is turned to be looked at: the direction, in turns, that was drawn on first. Where
-// nothing is drawn, a quarter of a turn before the pot's own direction 0.
+// The direction, in turns, from which a pot is shown: that of its first stroke. Without strokes, a quarter of
+// a turn before the pot's own direction 0.
 constexpr float kPlainFront = -0.25F;
 [[nodiscard]] float front_of(const Strokes& strokes);
 
-// Nothing is drawn nearer to foot and rim.
+// Margin without drawing at foot and rim.
 constexpr float kMarginMm = 4.0F;
 
 class Canvas {
   public:
     explicit Canvas(const Wall& wall);
-    // With all those strokes laid. Bad input: as begin() and add().
+    // A canvas with all those strokes. Bad input: as begin() and add().
     [[nodiscard]] static Result<Canvas> of(const Wall& wall, const Strokes& strokes);
 
-    // A new stroke, with what points it has. Bad input: check_stroke(), more strokes or points than may be
+    // Starts a stroke with the points it has. Bad input: check_stroke(), more strokes or points than can be
     // recorded, or a point above the wall; then nothing has changed.
     Result<void> begin(const Stroke& stroke);
-    // The newest stroke goes on to a point. Bad input: likewise, and where it is a motif, or older than the
-    // last undoing.
+    // Extends the newest stroke to a point. Bad input: as begin(), and if the stroke is a motif or older than
+    // the last undo.
     Result<void> add(const StrokePoint& point);
-    // The newest stroke was never drawn; false: there is none.
+    // Undoes the newest stroke. Returns false if there are no strokes.
     bool undo();
 
     [[nodiscard]] const Wall& wall() const { return wall_; }
@@ -52,7 +52,7 @@ class Canvas {
     [[nodiscard]] bool is_plain() const { return strokes_.empty(); }
     [[nodiscard]] Recorded recorded() const { return {strokes_, texture_.hash()}; }
     [[nodiscard]] Marks marks() const { return {wall_, recorded()}; }
-    // What has changed of the texture since this was asked last.
+    // Returns the part of the texture changed since the last call.
     [[nodiscard]] TextureRect take_changed();
 
   private:
@@ -73,16 +73,16 @@ class Canvas {
     };
 
     Wall wall_;
-    int first_row_ = 0;  // that may be drawn on, and behind the last
+    int first_row_ = 0;  // rows [first_row_, end_row_) may be drawn on
     int end_row_ = kRows;
     Strokes strokes_;
-    std::size_t points_ = 0;  // of all of them
-    bool grows_ = false;      // the newest may go on
+    std::size_t points_ = 0;  // of all strokes
+    bool grows_ = false;      // add() may extend the newest stroke
     Texture texture_;
-    Texture under_;  // what the stroke in the making lies on
+    Texture under_;  // the texture below the newest stroke
     StrokeMask mask_;
     TextureRect changed_ = TextureRect::all();
-    std::vector<Checkpoint> checkpoints_;  // the newest last; undoing begins from there
+    std::vector<Checkpoint> checkpoints_;  // newest last; undo starts from these
 };
 
 }  // namespace onggi::decoration

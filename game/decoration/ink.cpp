@@ -8,8 +8,7 @@
 namespace onggi::decoration {
 namespace {
 
-// Smooth noise, 0 to 1, of so many cells round the pot, the last of which is the neighbour of the first; and
-// of one every so many rows.
+// Smooth noise, 0 to 1, with cells_round cells round the pot, periodic, and one cell every rows_a_cell rows.
 float grain(int column, int row, int cells_round, float rows_a_cell) {
     const float x =
         (static_cast<float>(column) + 0.5F) * static_cast<float>(cells_round) / static_cast<float>(kColumns);
@@ -28,7 +27,7 @@ std::uint8_t part_of(int whole, int cover) {
     return static_cast<std::uint8_t>((whole * cover + 127) / 255);
 }
 
-// Over what is there: the amounts join, and whichever is seen more gives the colour.
+// Paints over the texel: the amounts add up, and the larger amount sets the colour.
 Texel pigmented(Texel texel, Pigment pigment, std::uint8_t amount) {
     const int left = part_of(texel.amount, 255 - amount);
     if (amount > 0 && amount >= left) texel.pigment = pigment;
@@ -36,7 +35,7 @@ Texel pigmented(Texel texel, Pigment pigment, std::uint8_t amount) {
     return texel;
 }
 
-// How much of it a brush lays where it goes, 0 to 255.
+// The amount that a brush lays at this texel, 0 to 255.
 int density(Ink ink, int column, int row) {
     switch (ink) {
         case Ink::kIron: {
@@ -48,7 +47,7 @@ int density(Ink ink, int column, int row) {
             return static_cast<int>(kLeast + 80.0F * grain(column, row, 56, 21.0F));
         }
         case Ink::kBrushedSlip: {
-            // Hairs of a coarse brush that goes round the pot.
+            // Hairs of a coarse brush that moves round the pot.
             const float hairs = 0.65F * grain(column, row, 14, 3.4F) + 0.35F * grain(column, row, 40, 1.6F);
             return static_cast<int>(255.0F * std::clamp((hairs - 0.22F) / 0.24F, 0.12F, 1.0F));
         }
@@ -114,11 +113,11 @@ Texel inked(const Texel& under, Ink ink, std::uint8_t cover, int column, int row
 }
 
 Texel coated(const Texel& under, int column, int row) {
-    // Dipped or poured: neither the foot nor the neck, with a line that is not quite straight.
+    // The coat of a dipped or poured pot: leaves out foot and neck, with slightly wavy edges.
     constexpr float kLow = 0.17F * kRows;
     constexpr float kHigh = 0.86F * kRows;
     constexpr float kEdgeRows = 3.0F;
-    constexpr float kEdge = 0.55F;  // it ends in a lip, not in nothing
+    constexpr float kEdge = 0.55F;  // the coat ends in a lip instead of fading out
     if (under.coat != 0) return under;
     const float wave = 5.0F * (grain(column, 0, 18, 1.0F) - 0.5F);
     const float off = std::min(static_cast<float>(row) - kLow - wave, kHigh + wave - static_cast<float>(row));

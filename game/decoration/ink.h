@@ -1,4 +1,4 @@
-// What a stroke leaves on a texel that it covers so far. Any thread; pure.
+// The effect of a stroke on a texel that it covers to some degree. Any thread; pure.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ enum class Ink { kWipe, kIron, kCobalt, kWhiteInlay, kBlackInlay, kBrushedSlip }
     return ink == Ink::kWipe ? Tip::kFinger : Tip::kBrush;
 }
 
-// `under`: before the stroke. cover: of StrokeMask.
+// `under`: the texel before the stroke. cover: from StrokeMask.
 [[nodiscard]] Texel inked(const Texel& under, Ink ink, std::uint8_t cover, int column, int row);
 
-// The coat that is laid before fingers go through it, where there is none.
+// Adds the coat that fingers wipe through, unless there is one.
 [[nodiscard]] Texel coated(const Texel& under, int column, int row);
 
 }  // namespace onggi::decoration

@@ -7,7 +7,7 @@ namespace {
 
 using Points = std::vector<MotifPoint>;
 
-// Flying to the left, as on celadon of Goryeo: white, with black beak, legs and feather tips.
+// Flying to the left, as on Goryeo celadon: white, with black beak, legs and feather tips.
 std::vector<MotifLine> crane() {
     constexpr Ink kWhite = Ink::kWhiteInlay;
     constexpr Ink kBlack = Ink::kBlackInlay;
@@ -52,7 +52,7 @@ std::vector<MotifLine> cloud() {
 
 // Twelve petals about a middle, within a black ring.
 std::vector<MotifLine> chrysanthemum() {
-    // The twelve directions of a clock, without a sine: half a root of three and a half.
+    // The twelve directions of a clock, without a sine call: 1/2 and sqrt(3)/2.
     constexpr float kFar = 0.8660254F;
     constexpr std::array<vec2, 12> kWays{vec2{0, 1},     {0.5F, kFar},  {kFar, 0.5F},  {1, 0},
                                          {kFar, -0.5F},  {0.5F, -kFar}, {0, -1},       {-0.5F, -kFar},
@@ -75,7 +75,7 @@ std::vector<MotifLine> chrysanthemum() {
     return lines;
 }
 
-// Swimming to the left, with a quick brush, as on buncheong of Mount Gyeryong.
+// Swimming to the left, in quick brush strokes, as on buncheong from Mount Gyeryong.
 std::vector<MotifLine> fish() {
     constexpr Ink kIron = Ink::kIron;
     return {{kIron, {{-42, 0, 1.2F}, {-26, 13, 2.2F}, {-4, 18, 2.4F}, {16, 11, 1.8F}, {27, 3, 1.6F}}},
@@ -106,7 +106,7 @@ std::vector<MotifLine> grass() {
             {kIron, {{-14, 46, 1.2F}, {-11, 44, 1.8F}, {-10, 49, 0.8F}}}};
 }
 
-// Three fingers in one breath.
+// One continuous wave of three fingers.
 std::vector<MotifLine> wave() {
     return {{Ink::kWipe,
              {{-50, -12, 13},

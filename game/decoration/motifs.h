@@ -1,4 +1,4 @@
-// Motifs of heritage for who cannot draw, as strokes of our own drawing in a box of 100 units. Constant.
+// Traditional motifs as ready-made strokes, our own drawing, in a box of 100 units. Constant.
 #pragma once
 
 #include <span>
@@ -10,17 +10,17 @@
 namespace onggi::decoration {
 
 struct MotifPoint {
-    float x = 0.0F;     // -50 to 50, counter-clockwise round the pot: to the right for who looks at it
+    float x = 0.0F;     // -50 to 50, counter-clockwise round the pot: to the right for the viewer
     float y = 0.0F;     // -50 to 50, up
-    float half = 1.0F;  // width of the brush there, its half
+    float half = 1.0F;  // half width of the brush there
 };
 
 struct MotifLine {
     Ink ink = Ink::kIron;
-    std::vector<MotifPoint> points;  // a smooth line through them
+    std::vector<MotifPoint> points;  // joined by a smooth line
 };
 
-// In the order in which they are laid; none for Motif::kNone.
+// The lines in drawing order; empty for Motif::kNone.
 [[nodiscard]] std::span<const MotifLine> lines_of(Motif motif);
 
 }  // namespace onggi::decoration

@@ -14,7 +14,7 @@ struct Ring {
     double high_radius_mm;
 };
 
-// Along the ray, the first time it comes from outside; nothing: not within the ring.
+// The ray parameter of the first hit from outside; empty if the ray misses the ring.
 std::optional<double> first_meeting(const Ring& ring, const dvec3& eye, const dvec3& ray) {
     const double rise = ring.high_mm - ring.low_mm;
     const double slope = (ring.high_radius_mm - ring.low_radius_mm) / rise;
@@ -32,7 +32,7 @@ std::optional<double> first_meeting(const Ring& ring, const dvec3& eye, const dv
         if (t <= 0.0) continue;
         const double y = eye.y + t * ray.y;
         if (y < ring.low_mm || y > ring.high_mm) continue;
-        // From outside: the ray goes against the way outwards.
+        // A hit is from outside if the ray runs against the outward normal.
         const double outward =
             (eye.x + t * ray.x) * ray.x + (eye.z + t * ray.z) * ray.z - slope * (base + grow * t) * ray.y;
         if (outward >= 0.0) continue;

@@ -1,5 +1,5 @@
-// What a visitor draws on a pot, as values: strokes, as they are recorded and played back to the bit. Places
-// are whole numbers, so that a recording gives the same texture on every machine. Any thread.
+// Strokes that a visitor draws on a pot, as values that are recorded and played back to the bit. Places are
+// integers, so that a recording leads to the same texture on every machine. Any thread.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,12 @@ enum class Technique : std::uint8_t {
     kCobalt = 3,       // a brush of cobalt, cheonghwa
     kInlay = 4,        // a carved line filled with slip and scraped level, sanggam
     kBrushedSlip = 5,  // white slip with a coarse brush, gwiyal
-    kMotif = 6,        // one of the motifs, placed at one point
-    kClear = 7,        // everything before is wiped off
+    kMotif = 6,        // one of the motifs, placed at a point
+    kClear = 7,        // wipes off everything before
 };
 constexpr int kTechniqueCount = 7;
 
-// What an inlaid line is filled with.
+// The filling of an inlaid line.
 enum class Slip : std::uint8_t { kWhite = 0, kBlack = 1 };
 constexpr int kSlipCount = 2;
 
@@ -37,12 +37,12 @@ enum class Motif : std::uint8_t {
     kGrass = 5,
     kWave = 6,
 };
-constexpr int kMotifCount = 7;  // with none
+constexpr int kMotifCount = 7;  // including kNone
 
 struct StrokePoint {
     std::uint16_t turn = 0;       // from the pot's direction 0, counter-clockwise from above; 65536 a turn
-    std::uint16_t height = 0;     // of the pot as it was drawn on; 64 a mm
-    std::uint8_t pressure = 255;  // narrower where it is less
+    std::uint16_t height = 0;     // of the pot when it was drawn on; 64 a mm
+    std::uint8_t pressure = 255;  // lower pressure, narrower line
 
     friend bool operator==(const StrokePoint&, const StrokePoint&) = default;
 };
@@ -51,11 +51,11 @@ constexpr double kHeightUnitsPerMm = 64.0;
 
 struct Stroke {
     Technique technique = Technique::kIron;
-    Slip slip = Slip::kWhite;           // of an inlay
-    Motif motif = Motif::kNone;         // of a motif
-    std::uint8_t repeats = 1;           // of a motif, evenly round the pot
-    std::uint16_t width = 450;          // of the stroke, or the height of a motif; 100 a mm
-    std::vector<StrokePoint> points{};  // one of a motif, none of a clearing
+    Slip slip = Slip::kWhite;           // for an inlay
+    Motif motif = Motif::kNone;         // for a motif
+    std::uint8_t repeats = 1;           // for a motif: copies evenly round the pot
+    std::uint16_t width = 450;          // of the stroke; for a motif its height; 100 a mm
+    std::vector<StrokePoint> points{};  // one for a motif, none for kClear
 
     friend bool operator==(const Stroke&, const Stroke&) = default;
 };
@@ -70,27 +70,27 @@ constexpr std::uint16_t kLeastWidth = 50;
 constexpr std::uint16_t kMostWidth = 20000;
 constexpr std::uint8_t kMostRepeats = 12;
 
-// The nearest point that can be recorded: `turns` round the pot (any number of them), so high above the foot.
-// Bad input: a number that is none, or a height that cannot be recorded.
+// The nearest point that can be recorded, `turns` round the pot (any number) and height_mm above the foot.
+// Bad input: a number that is not finite, or a height that cannot be recorded.
 [[nodiscard]] Result<StrokePoint> stroke_point(double turns, double height_mm, double pressure = 1.0);
 
-// Bad input where a stroke is none that may be recorded. `name` stands before the message.
+// Bad input if the stroke may not be recorded. `name` starts the message.
 [[nodiscard]] Result<void> check_stroke(const Stroke& stroke, const std::string& name);
 
-// Strokes as bytes, for session files; README.md gives the layout. Any thread.
+// Strokes as bytes, for session files; README.md describes the layout. Any thread.
 
-// What a session says of a pot's decoration.
+// A pot's decoration in a session.
 struct Recorded {
     Strokes strokes{};
-    std::uint64_t texture_hash = 0;  // of what they came to, see Texture::hash()
+    std::uint64_t texture_hash = 0;  // of the resulting texture, see Texture::hash()
 
     friend bool operator==(const Recorded&, const Recorded&) = default;
 };
 
 [[nodiscard]] std::vector<std::byte> bytes_of(const Recorded& recorded);
 
-// Bad input: another version, a number out of its bounds, too few or too many bytes. `name` stands for where
-// they come from in the message, which names the byte.
+// Bad input: another version, a number out of its bounds, too few or too many bytes. `name` is the source of
+// the bytes in the message, which also has the byte's position.
 [[nodiscard]] Result<Recorded> recorded_from(std::span<const std::byte> bytes, const std::string& name);
 
 }  // namespace onggi::decoration

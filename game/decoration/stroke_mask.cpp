@@ -6,7 +6,7 @@
 namespace onggi::decoration {
 namespace {
 
-// 0 to 1 at so far from the middle of a trace. soft_mm: over how much its edge fades.
+// Cover, 0 to 1, at off_mm from the middle of a trace. soft_mm: width of a brush's soft edge.
 float cover_at(Tip tip, float off_mm, float half_mm, float soft_mm) {
     if (tip == Tip::kBrush) return std::clamp((half_mm - off_mm) / soft_mm + 0.5F, 0.0F, 1.0F);
     if (off_mm >= half_mm) return 0.0F;
@@ -25,7 +25,7 @@ void TextureRect::add(const TextureRect& other) {
     const int end = std::max(row + row_count, other.row + other.row_count);
     row = std::min(row, other.row);
     row_count = end - row;
-    // Whichever way round lies nearer.
+    // Shift the columns by whole turns to the nearer side.
     int first = other.column;
     while (first - column > kColumns / 2)
         first -= kColumns;

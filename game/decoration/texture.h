@@ -1,5 +1,5 @@
-// What the strokes on a pot come to: one texture of its outer wall, evenly round it and evenly up its height.
-// Any thread; plain data.
+// The result of the strokes on a pot: one texture of its outer wall, evenly spaced round it and up its
+// height. Any thread; plain data.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr int kColumns = 1024;  // once round, from the pot's direction 0, count
 constexpr int kRows = 512;      // from foot to rim
 
 enum class Pigment : std::uint8_t { kNone = 0, kWhiteSlip = 1, kBlackSlip = 2, kIron = 3, kCobalt = 4 };
-constexpr int kPigmentCount = 5;  // with none
+constexpr int kPigmentCount = 5;  // including kNone
 
 // Four bytes, in the order of red, green, blue and alpha.
 struct Texel {
@@ -25,10 +25,10 @@ struct Texel {
     static constexpr std::uint8_t kWiped = 128;
 
     Pigment pigment = Pigment::kNone;
-    std::uint8_t amount = 0;       // of it, 255: nothing is seen through it
-    std::uint8_t relief = kLevel;  // of the wall: 1 is 0.4 mm deep, 255 0.4 mm high
-    // The coat of wet slip or glaze that fingers go through: 0 there is none; kWiped to 255, from wiped off
-    // to as thick as it was laid.
+    std::uint8_t amount = 0;       // amount of pigment; 255 is opaque
+    std::uint8_t relief = kLevel;  // of the wall: 1 is 0.4 mm deep, 255 is 0.4 mm high
+    // The coat of wet slip or glaze that fingers wipe through: 0 without one; kWiped to 255, from wiped off
+    // to full thickness.
     std::uint8_t coat = 0;
 
     friend bool operator==(const Texel&, const Texel&) = default;
@@ -53,7 +53,7 @@ struct Texture {
     friend bool operator==(const Texture&, const Texture&) = default;
 };
 
-// The texel in which a place lies: `turns` round the pot, and a fraction of its height.
+// The texel of a place: `turns` round the pot, and a fraction of its height.
 [[nodiscard]] inline int column_at(float turns) {
     return static_cast<int>((turns - std::floor(turns)) * kColumns) & (kColumns - 1);
 }
@@ -61,7 +61,7 @@ struct Texture {
     return std::clamp(static_cast<int>(fraction * kRows), 0, kRows - 1);
 }
 
-// A part of it; columns may run on over the seam.
+// A part of the texture; columns may run over the seam.
 struct TextureRect {
     int row = 0;
     int row_count = 0;
@@ -69,7 +69,7 @@ struct TextureRect {
     int column_count = 0;
 
     [[nodiscard]] bool empty() const { return row_count == 0 || column_count == 0; }
-    // Grown to hold the other too.
+    // Grows to the bounding rectangle of both.
     void add(const TextureRect& other);
     [[nodiscard]] static TextureRect all() { return {0, kRows, 0, kColumns}; }
 };

@@ -7,7 +7,7 @@
 namespace onggi::decoration {
 namespace {
 
-// The mean of the rows about each; the ends count as often as they are asked for.
+// Moving average over the rows; the end rows are repeated.
 std::array<float, kRows> smoothed(const std::array<float, kRows>& from) {
     constexpr int kReach = 3;
     std::array<float, kRows> to{};

@@ -29,7 +29,7 @@ char to_lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// Stoneware as the wheel shows it, without the gloss of its water.
+// Stoneware as on the wheel, without the gloss of water.
 asset::Material stoneware() {
     return {.name = "stoneware",
             .base_colour_linear = finish::kStoneware.raw,

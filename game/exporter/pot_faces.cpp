@@ -10,17 +10,17 @@
 namespace onggi::exporter {
 namespace {
 
-// The slopes that a straight line from an anchor may have and still pass every point so far within a
-// tolerance: what thins an outline in one pass. Plain value, any thread.
+// The range of slopes for which a straight line from an anchor passes all points so far within a tolerance.
+// It thins an outline in one pass. Plain value, any thread.
 
-// Each point that the line passes narrows the range. Once a point leaves nothing of it, the line ends at the
-// point before, on `end`: the slope within the range that is nearest to that point's own. Each point is
-// looked at once or twice, so that noise costs no more than smoothness. (The idea is the "swinging door" of
-// process historians, with a free end point.)
+// Each point narrows the range. Once a point leaves it empty, the line ends at the point before, with slope
+// `end`: the slope in the range nearest to that point's own. Each point is visited once or twice, so that
+// noise costs no more than smooth data. (This is the "swinging door" of process historians, with a free end
+// point.)
 class SlopeRange {
   public:
-    // Takes a point `run` away, `rise` above the anchor. False if it leaves nothing; then nothing changed.
-    // Never false for the first point. Precondition: run > 0.
+    // Adds a point `run` away and `rise` above the anchor. Returns false without a change if the range would
+    // be empty, which never happens for the first point. Precondition: run > 0.
     bool pass(double run, double rise, double tolerance) {
         const double low = std::max(low_, (rise - tolerance) / run);
         const double high = std::min(high_, (rise + tolerance) / run);
@@ -47,20 +47,20 @@ constexpr double kFlakeMm = 0.05;
 constexpr double kLedgeSteepness = 4.0;
 constexpr double kLedgeVolumeFraction = 1e-3;
 
-// Replacing a step between two rings by a straight slope takes pi h/6 (a - b)^2 of clay away; the halves of
-// the two rings that it spans hold pi h/2 (a^2 + b^2).
+// Replacing a step between two rings by a straight slope removes pi h/6 (a - b)^2 of clay; the halves of the
+// two rings that it spans hold pi h/2 (a^2 + b^2).
 bool is_ledge(double below_mm, double above_mm, double ring_mm) {
     const double step = std::fabs(below_mm - above_mm);
     const double lost_fraction = step * step / (3.0 * (below_mm * below_mm + above_mm * above_mm));
     return step > kLedgeSteepness * ring_mm && lost_fraction > kLedgeVolumeFraction;
 }
 
-// The mean of the sectors about each corner. Corner k stands at k/count of a turn, sector s is about (s +
-// 1/2)/S: with half as many corners as sectors each corner takes the two next to it.
+// The mean of the sectors around each corner. Corner k is at k/count of a turn, sector s around (s + 1/2)/S:
+// with half as many corners as sectors each corner takes its two neighbours.
 std::vector<double> dents_at_corners(std::span<const float> row, int count) {
     std::vector<double> dents(PotRings::at(row.empty() ? 0 : count), 0.0);
     const auto sectors = static_cast<int>(row.size());
-    const int width = std::max(sectors / count, 2);  // sectors a corner stands for
+    const int width = std::max(sectors / count, 2);  // sectors a corner represents
     for (int k = 0; k < std::ssize(dents); ++k) {
         const int middle = k * sectors / count;  // the sector just after the corner
         double sum = 0.0;
@@ -82,7 +82,7 @@ SurfaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int
     return row;
 }
 
-// Calls visit(number of a row, the same of another), for every number that thinning must keep.
+// Calls visit(number of a row, same number of another row) for every number that thinning must preserve.
 template <typename Visit>
 void visit_numbers(const SurfaceRow& a, const SurfaceRow& b, Visit visit) {
     visit(a.radius_mm, b.radius_mm);
@@ -92,7 +92,7 @@ void visit_numbers(const SurfaceRow& a, const SurfaceRow& b, Visit visit) {
         visit(a.dents_mm[k], b.dents_mm[k]);
 }
 
-// The row at y_mm on the lines that leave `anchor` with the ends of those slopes.
+// The row at y_mm on the lines from `anchor` with the end slopes of those ranges.
 SurfaceRow on_lines(const SurfaceRow& anchor, const std::vector<SlopeRange>& slopes, double y_mm) {
     SurfaceRow row = anchor;
     row.y_mm = y_mm;
@@ -131,7 +131,7 @@ Face face_of(const PotRings& rings, Which which, int first, int end, int corners
     const auto has_face = [&](int ring) { return which == Which::kOuter || rings.is_hollow(ring); };
     const double top_mm = rings.bottom_mm(end);
     const double bottom_mm = rings.bottom_mm(first);
-    // A flake of the other kind at either end lends its height only.
+    // A flake of the other kind at either end contributes only its height.
     while (first + 1 < end && !has_face(first))
         ++first;
     while (first + 1 < end && !has_face(end - 1))
@@ -178,7 +178,7 @@ Face thinned(const Face& face, double tolerance_mm) {
             ++i;
             continue;
         }
-        // Slopes narrowed by the point that did not pass still pass all points before it.
+        // The ranges narrowed by the rejected point still pass all points before it.
         out.push_back(on_lines(out.back(), slopes, face[i - 1].y_mm));
         slopes.assign(numbers, {});
     }

@@ -9,7 +9,7 @@
 namespace onggi::exporter {
 namespace {
 
-// The radius over two heights whose circle has their mean area.
+// The radius whose circle has the mean area of two heights.
 double mean_radius_mm(double low_mm, double high_mm, double low_fraction) {
     return std::sqrt(low_fraction * low_mm * low_mm + (1.0 - low_fraction) * high_mm * high_mm);
 }

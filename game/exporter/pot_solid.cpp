@@ -20,7 +20,7 @@ struct Fineness {
     double tolerance_mm;
     int corners;
 };
-// Both errors grow together; the last three are for what a wild hand leaves.
+// Both errors grow together; the last three settings are for very rough pots.
 constexpr std::array<Fineness, 7> kFinenesses{
     {{0.008, 128}, {0.016, 96}, {0.032, 64}, {0.064, 48}, {0.125, 48}, {0.25, 48}, {0.5, 48}}};
 
@@ -32,7 +32,7 @@ void append_down(Walk& walk, Face face) {
     std::move(face.rbegin(), face.rend(), std::back_inserter(walk.rows));
 }
 
-// Every surface of the clay; take gives the rows of rings [first, end) of a face.
+// Collects every surface of the clay; take returns the rows of rings [first, end) of a face.
 template <typename Take>
 std::vector<Walk> walks_over(const PotRings& rings, Take take) {
     std::vector<Walk> walks;
@@ -45,7 +45,7 @@ std::vector<Walk> walks_over(const PotRings& rings, Take take) {
             inside = std::move(face);
             outside.meets_itself = run.first == 0;
         } else if (run.first == 0) {
-            append_down(outside, std::move(face));  // a cup upside down: its inside leads to the foot
+            append_down(outside, std::move(face));  // a cup upside down: its inside ends at the foot
         } else {
             append_down(walks.emplace_back(), std::move(face));
         }
@@ -63,7 +63,7 @@ std::size_t row_count(const std::vector<Walk>& walks) {
     return rows;
 }
 
-// Two a corner between rows, and one a corner in each of two discs or two in the band that closes.
+// Two triangles a corner between rows, and one a corner in each of two discs or two in the closing band.
 std::size_t triangle_count(const std::vector<Walk>& walks, int corners) {
     return row_count(walks) * 2 * static_cast<std::size_t>(corners);
 }
@@ -71,12 +71,13 @@ std::size_t triangle_count(const std::vector<Walk>& walks, int corners) {
 struct Rows {
     std::vector<Walk> walks;
     Fineness fineness;
-    int rings = 0;  // that they were taken from
+    int rings = 0;  // rings they were taken from
 };
 
-// At one setting; nothing where its tolerance might push one face through the other, or it does not fit.
+// The rows at one setting; empty if its tolerance might push one face through the other, or if they exceed
+// the budget.
 std::optional<Rows> rows_at(const PotRings& rings, const Fineness& fineness, std::size_t most_triangles) {
-    // Each face may move by the tolerance, and something must be left between them.
+    // Each face may move by the tolerance, and a distance must remain between them.
     if (!(4.0 * fineness.tolerance_mm <= thinnest_mm(rings))) return std::nullopt;
     auto walks = walks_over(rings, [&](Which which, int first, int end) {
         const Face face = face_of(rings, which, first, end, fineness.corners);
@@ -93,13 +94,13 @@ SurfaceBuilder built(const Rows& rows, bool unwraps = false) {
     return builder;
 }
 
-// That is to hold the clay's volume, of everything across the axis.
+// The horizontal scale that restores the clay's volume.
 double across_scale(const SurfaceBuilder& builder, const PotRings& rings) {
     return std::sqrt(rings.volume_mm3 / builder.volume_mm3());
 }
 
-// Places in the pictures and tangents into the solid's mesh, and the rows of the pictures. Of one that is
-// built unwrapped, with its normals.
+// Adds texture coordinates and tangents to the solid's mesh, and lists the rows of the pictures. The builder
+// must be unwrapped and have its normals.
 void unwrap(const SurfaceBuilder& builder, double shrinkage, PotSolid& pot) {
     asset::Mesh& mesh = pot.mesh;
     mesh.uvs.resize(builder.positions_mm.size());
@@ -111,7 +112,7 @@ void unwrap(const SurfaceBuilder& builder, double shrinkage, PotSolid& pot) {
         for (std::uint32_t k = 0; k < strip->count; ++k) {
             const std::uint32_t vertex = strip->first + k;
             mesh.uvs[vertex] = vec2(builder.turns(*strip, k), v);
-            // The way round, made square to the normal.
+            // The tangent round the pot, made orthogonal to the normal.
             const dvec2 outward = builder.outward(*strip, k);
             const dvec3& normal = builder.normals[vertex];
             const dvec3 round(-outward.y, 0.0, -outward.x);
@@ -127,7 +128,7 @@ void unwrap(const SurfaceBuilder& builder, double shrinkage, PotSolid& pot) {
     }
 }
 
-// Whether chosen rows stand for the clay that was left out.
+// Whether the chosen rows represent the clay that was left out.
 bool is_like(const Rows& rows, const PotRings& rings) {
     constexpr double kMostOff = 0.01;
     return std::fabs(across_scale(built(rows), rings) - 1.0) < kMostOff;
@@ -136,8 +137,8 @@ bool is_like(const Rows& rows, const PotRings& rings) {
 std::optional<Rows> rows_within_budget(const PotRings& rings, std::size_t most_triangles) {
     for (const Fineness& fineness : kFinenesses)
         if (auto rows = rows_at(rings, fineness, most_triangles)) return rows;
-    // Rough all over: every second ring, or fourth, while those are like the rest; else what all hold on
-    // average.
+    // The pot is rough all over: try every second ring, or fourth, while those represent the rest; else
+    // merged rings.
     for (const Halving how : {Halving::kEverySecond, Halving::kMerged}) {
         for (PotRings fewer = halved(rings, how), last = rings; fewer.count() < last.count();
              last = std::exchange(fewer, halved(fewer, how))) {
@@ -168,8 +169,7 @@ Result<PotSolid> build_pot_solid(const PotRings& rings, const SolidOptions& opti
     const double across = up * pot.across_scale;
     builder.finish_normals();
     if (options.unwraps) unwrap(builder, options.shrinkage, pot);
-    // + 0: no negative zeros, which would part vertices that lie at one place in the eyes of a bitwise
-    // checker.
+    // + 0 removes negative zeros, which a bitwise checker would see as different positions.
     const vec3 zero(0.0F);
     pot.mesh.positions_m.reserve(builder.positions_mm.size());
     pot.mesh.normals.reserve(builder.positions_mm.size());

@@ -9,7 +9,7 @@
 namespace onggi::heritage {
 namespace {
 
-// Keys of the languages, and what the command line says.
+// A key of the language files, and the text for the command line.
 struct Words {
     const char* key = nullptr;
     const char* text = nullptr;
@@ -47,7 +47,7 @@ const Words& next_words(const Advice& advice) {
     return advice.more ? part.more : part.less;
 }
 
-// How much larger than the museum's, as a fraction of that; nothing where it is not asked.
+// Relative deviation of a part from the museum's pot.
 struct Off {
     PotPart part;
     double by;
@@ -58,7 +58,7 @@ bool has_belly(const PotForm& pot) {
     return pot.widest_mm() > kBeyond * std::max(pot.mouth_mm(), pot.foot_mm());
 }
 
-// How much wider it is than its mouth and its foot: a straight wall is 1, however wide.
+// Ratio of the widest diameter to the mean of mouth and foot: 1 for a straight wall.
 double fullness(const PotForm& pot) {
     return 2.0 * pot.widest_mm() / (pot.mouth_mm() + pot.foot_mm());
 }
@@ -68,8 +68,8 @@ double fullness(const PotForm& pot) {
 Advice advise(const PotForm& pot, const Target& target, std::optional<double> fraction) {
     constexpr double kNearEnough = 0.06;
     constexpr double kThinWallMm =
-        6.0;                          // fired; what a practised hand leaves in a pot of a lump of this size
-    constexpr double kOfWall = 0.25;  // twice as thick is as far off as a quarter of a diameter
+        6.0;  // fired; the wall that a practised hand leaves in a pot from a lump of this size
+    constexpr double kOfWall = 0.25;  // a wall of twice the thickness counts as a diameter off by a quarter
     constexpr double kAlike = 0.02;
     const PotForm museum = form_of(target);
     const double scale = fraction.value_or(pot.height_mm / museum.height_mm);
@@ -83,7 +83,7 @@ Advice advise(const PotForm& pot, const Target& target, std::optional<double> fr
         if (off.part == PotPart::kHeight) return fraction.has_value();
         if (off.part == PotPart::kBelly) return has_belly(museum);
         if (off.part == PotPart::kFoot) return true;
-        return pot.wall_mm.has_value();  // a lump has neither wall nor mouth
+        return pot.wall_mm.has_value();  // a solid lump has neither wall nor mouth
     };
     const auto end = std::stable_partition(parts.begin(), parts.end(), is_asked);
     const auto [nearest, farthest] = std::minmax_element(
@@ -91,7 +91,7 @@ Advice advise(const PotForm& pot, const Target& target, std::optional<double> fr
         [](const Off& one, const Off& other) { return std::fabs(one.by) < std::fabs(other.by); });
     Advice advice{.good = nearest->part};
     if (std::fabs(farthest->by) < kNearEnough) return advice;
-    // Small or large in all its parts alike is a matter of height, the first of them.
+    // If all parts deviate alike, the advice is about size: the height, the first part.
     const bool is_size = std::fabs(parts.front().by) > std::fabs(farthest->by) - kAlike;
     const Off& next = is_size ? parts.front() : *farthest;
     advice.next = next.part;

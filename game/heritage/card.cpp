@@ -24,7 +24,7 @@ std::optional<KnownBy> known_by(std::string_view word) {
     return std::nullopt;
 }
 
-// Where each column is, by its name.
+// Index of each column, by name.
 using Columns = std::map<std::string, std::size_t, std::less<>>;
 
 Result<Columns> columns_of(std::string_view header, std::string_view name) {

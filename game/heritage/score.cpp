@@ -13,10 +13,10 @@ namespace {
 
 using clay::studio::Rings;
 
-// Only for how much clay a target takes.
+// Used only for a target's amount of clay.
 constexpr double kUsualFloorMm = 8.0;
 
-// The outside of the pot at a height, between ring centres.
+// The outer radius at a height, interpolated between ring centres.
 double outer_at(const Rings& rings, double y_mm) {
     const int ring = rings.ring_at(y_mm);
     const int other = std::clamp(y_mm < rings.centre_mm(ring) ? ring - 1 : ring + 1, 0, rings.count - 1);
@@ -38,7 +38,7 @@ std::optional<double> mean_wall_mm(const Rings& rings) {
     return height > 0.0 ? std::optional(sum / height) : std::nullopt;
 }
 
-// Of the wet pot at that scale of the museum's.
+// Mass of the wet pot at that scale of the museum's.
 double wet_clay_g(const PotForm& form, double scale, double wall_mm) {
     double volume = 0.0;
     const double step = form.height_mm * scale / static_cast<double>(form.radii_mm.size() - 1);

@@ -9,7 +9,7 @@
 namespace onggi::heritage {
 namespace {
 
-// Takes one field off the front of `rest`, and the comma after it. False and a reason if it is none.
+// Takes one field off the front of `rest`. Returns false with a reason if the field is malformed.
 bool take_field(std::string_view& rest, std::string& field, std::string& reason) {
     field.clear();
     if (!rest.starts_with('"')) {

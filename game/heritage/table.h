@@ -1,5 +1,5 @@
-// A small table of comma-separated values, read strictly: one line a row, fields in double quotes where they
-// hold a comma or a quote (doubled). Any thread but the haptic one.
+// A strict reader of comma-separated values: one line a row, fields in double quotes if they hold a comma or
+// a quote (doubled). Any thread but the haptic one.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,18 @@ namespace onggi::heritage {
 constexpr std::size_t kMaxTableBytes = std::size_t{1} << 20U;
 
 struct TableRow {
-    std::size_t line = 0;  // from 1
+    std::size_t line = 0;  // counted from 1
     std::vector<std::string> fields;
 };
 
-// The rows below a first line that must be `header` to the letter; each has as many fields as the header.
-// kBadInput naming the line: another header, too few or too many fields, a quote that does not close or
-// stands inside a plain field, a control character or bytes that are no UTF-8, no row at all, an empty line,
-// more than a megabyte. `name` stands for the text in messages.
+// The rows below a first line that must equal `header`; each has as many fields as the header. kBadInput
+// naming the line: another header, too few or too many fields, a quote that does not close or stands inside a
+// plain field, a control character or invalid UTF-8, a table without rows, an empty line, more than a
+// megabyte. `name` stands for the text in messages.
 Result<std::vector<TableRow>> parse_table(std::string_view text, std::string_view header,
                                           std::string_view name);
 
-// "NAME:LINE: ", how every refusal of a table begins.
+// An error that begins with "NAME:LINE: ", as every refusal of a table.
 Error at_row(std::string_view name, std::size_t line, std::string_view what);
 
 }  // namespace onggi::heritage

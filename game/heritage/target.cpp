@@ -18,7 +18,7 @@ constexpr double kHeaviestG = 100000.0;
 constexpr double kAgreesMm = 0.05;
 constexpr std::size_t kFewestPoints = 4;
 
-// Reads the fields of one row; the first thing wrong is kept.
+// Reads the fields of one row and keeps the first error.
 class Fields {
   public:
     Fields(const TableRow& row, std::string_view name) : row_(row), name_(name) {}
@@ -102,7 +102,7 @@ Result<std::vector<Target>> parse_table_of_targets(std::string_view text, std::s
     return targets;
 }
 
-// What is wrong with a whole outline; empty if nothing.
+// Returns the first fault of a whole outline; empty if it is valid.
 std::string outline_fault(const Target& target) {
     const auto& points = target.outline;
     if (points.size() < kFewestPoints)
@@ -162,8 +162,8 @@ Result<void> add_outlines(std::vector<Target>& targets, std::string_view text, s
     return {};
 }
 
-// The slope of the curve at point i: the weighted harmonic mean of the pieces' next to it, none where they
-// rise and fall; at the ends the piece's own.
+// The slope of the curve at point i: the weighted harmonic mean of the adjacent pieces' slopes, 0 if one
+// rises and one falls; at the ends the piece's own slope.
 double slope_at(const std::vector<OutlinePoint>& points, std::size_t i) {
     const auto step = [&](std::size_t k) { return points[k + 1].y_mm - points[k].y_mm; };
     const auto rise = [&](std::size_t k) {

@@ -1,5 +1,5 @@
-// A pot's section as a line: what a drawing of a vessel in a museum's table shows, and all that a small
-// picture of one needs. Any thread; plain data. mm.
+// A pot's section as a line, as in a museum's drawing of a vessel: the data for a small picture of it. Any
+// thread; plain data. mm.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace onggi::pot {
 
-// Up the outside from the foot, over the rim, down the inside to the axis. An inside that is missing is a
-// solid lump.
+// Up the outside from the foot, over the rim, down the inside to the axis. Without an inside it is a solid
+// lump.
 struct Section {
     std::vector<vec2> outside;  // (radius, height), heights rising
     std::vector<vec2> inside;   // (radius, height), rim first, heights falling; may be empty
-    std::shared_ptr<const decoration::Marks> marks{};  // drawn on the outside; null: nothing
+    std::shared_ptr<const decoration::Marks> marks{};  // drawn on the outside; null without marks
 
     [[nodiscard]] float height_mm() const;
     [[nodiscard]] float radius_mm() const;  // the largest
     [[nodiscard]] std::uint64_t hash() const;
 };
 
-// A wall of this thickness inside an outline that is only known from without.
+// Adds an inside with a wall of this thickness to an outline whose outside alone is known.
 [[nodiscard]] Section hollowed(std::vector<vec2> outside, float wall_mm, float floor_mm);
 
 // A fresh lump of one kilogram: about as wide as it is high.

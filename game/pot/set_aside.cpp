@@ -14,7 +14,7 @@ Section section_of(const Pot& pot) {
     section.outside.push_back(outline.back());
     const auto floor_mm = static_cast<float>(pot.floor_mm);
     if (!pot.can_be_hollow()) return section;
-    // Edges of the rings lie between the outline's points; the first and the last of those are no ring's.
+    // The outline's points are at the middles of the rings, except the first and the last.
     for (std::size_t ring = pot.inner_mm.size(); ring > 0; ring -= std::min(ring, step)) {
         const float height_mm = outline[ring].y;
         if (pot.inner_mm[ring - 1] <= 0.0F || height_mm <= floor_mm) break;
@@ -29,7 +29,7 @@ Section section_of(const Pot& pot) {
 
 namespace {
 
-// The rings of a pot upside down, on what is there.
+// Adds the rings of a pot, upside down, on top.
 void add_turned_over(Pot& below, const Pot& pot, const vec2& shift_mm) {
     const auto on_mm = static_cast<float>(below.height_mm);
     const auto height_mm = static_cast<float>(pot.height_mm);

@@ -8,12 +8,12 @@
 namespace onggi::pot {
 namespace {
 
-// Neighbouring pieces of the outline that turn more than this meet in an edge: cos 20 degrees. A line thinned
-// to the finest setting turns by 15 degrees a corner where a tool of 2 mm has pressed, so all that is round
-// stays smooth.
+// Adjacent pieces of the outline that turn by more than this form an edge: cos 20 degrees. A line thinned to
+// the finest setting turns by 15 degrees a corner where a tool of 2 mm has pressed, so round shapes stay
+// smooth.
 constexpr double kCreaseCosine = 0.9396926207859084;
 
-// The walk's right-hand normal between two rows at a corner, in the plane of that corner and the axis.
+// The right-hand normal of the walk between two rows at a corner, in the plane of that corner and the axis.
 dvec2 normal_between(const SurfaceRow& from, const SurfaceRow& to, std::size_t corner,
                      const dvec2& direction) {
     const double out =
@@ -21,7 +21,7 @@ dvec2 normal_between(const SurfaceRow& from, const SurfaceRow& to, std::size_t c
     return glm::normalize(dvec2(to.y_mm - from.y_mm, -out));
 }
 
-// Whether the surface turns so much at `row` that it has an edge there.
+// Whether the surface has an edge at `row`, at any corner.
 bool is_edge(const SurfaceRow& before, const SurfaceRow& row, const SurfaceRow& after,
              const std::vector<dvec2>& circle) {
     for (std::size_t k = 0; k < circle.size(); ++k) {
@@ -32,13 +32,13 @@ bool is_edge(const SurfaceRow& before, const SurfaceRow& row, const SurfaceRow& 
     return false;
 }
 
-// Between one walk and the next in the pictures, so that neither runs into the other.
+// Gap between two walks in the pictures, so that they do not bleed into each other.
 constexpr double kBetweenWalksMm = 3.0;
 
 }  // namespace
 
 std::vector<dvec2> unit_circle(int n) {
-    // A step of 90 or of 30 degrees is known exactly; halving it leads to 360/n.
+    // Steps of 90 or 30 degrees are exact; halving leads to 360/n.
     dvec2 step = n % 3 == 0 ? dvec2(0.5 * std::sqrt(3.0), 0.5) : dvec2(0.0, 1.0);
     for (int parts = n % 3 == 0 ? 12 : 4; parts < n; parts *= 2) {
         const double cosine = std::sqrt(0.5 * (1.0 + step.x));
@@ -51,7 +51,7 @@ std::vector<dvec2> unit_circle(int n) {
         const dvec2 last = circle[k - 1];
         circle[k] = dvec2(last.x * step.x - last.y * step.y, last.x * step.y + last.y * step.x);
     }
-    // Quarter turns are exact, so that opposite corners are, too.
+    // Quarter turns are exact, so opposite corners are too.
     for (std::size_t k = quarter; k < circle.size(); ++k) {
         circle[k] = dvec2(-circle[k - quarter].y, circle[k - quarter].x);
     }
@@ -66,7 +66,7 @@ SurfaceBuilder::SurfaceBuilder(int corners, bool unwraps)
     : circle_(unit_circle(corners)),
       unwraps_(unwraps) {}
 
-// Where places in pictures begin and end, a row's first corner stands twice.
+// With texture coordinates, a row's first corner is doubled at the seam.
 std::uint32_t SurfaceBuilder::in_row() const {
     return static_cast<std::uint32_t>(circle_.size()) + (unwraps_ ? 1U : 0U);
 }
@@ -87,7 +87,7 @@ std::uint32_t SurfaceBuilder::add_row(const SurfaceRow& row) {
     return first;
 }
 
-// From one row of the walk to the next. Normals: each four-cornered face gives its area to its corners.
+// Connects one row of the walk to the next. Normals: each four-cornered face adds its area to its corners.
 void SurfaceBuilder::add_band(std::uint32_t from, std::uint32_t to) {
     for (std::uint32_t k = 0; k < circle_.size(); ++k) {
         const std::uint32_t next = next_of(k);
@@ -121,7 +121,7 @@ void SurfaceBuilder::add_disc(const SurfaceRow& rim, bool faces_up) {
     along_mm_ = faces_up ? rim_along_mm + rim.radius_mm : from_mm;
     add_middle(rim, faces_up);
     if (!faces_up) {
-        // The walk comes from the middle.
+        // The walk comes from the middle of the disc.
         along_mm_ = rim_along_mm;
         std::swap(strips_[strips_.size() - 1], strips_[strips_.size() - 2]);
     }
@@ -169,7 +169,7 @@ double SurfaceBuilder::volume_mm3() const {
 }
 
 void SurfaceBuilder::finish_normals() {
-    // Both of a corner that stands twice are one.
+    // Both copies of a doubled corner get the same normal.
     for (const Strip& strip : strips_) {
         if (!unwraps_ || strip.is_middle) continue;
         const std::uint32_t last = strip.first + in_row() - 1;
@@ -182,9 +182,8 @@ void SurfaceBuilder::finish_normals() {
     mend_normals();
 }
 
-// In a deep, narrow dent the mean of a corner's faces, weighted by their areas, can point away from a small
-// one. Such a normal is turned towards the face that it denies until there is none, or no direction that all
-// its faces share.
+// In a deep, narrow dent the area-weighted mean of a corner's faces can point away from a small face. Such a
+// normal is turned towards that face until it agrees with all its faces, or kMostTurns is reached.
 void SurfaceBuilder::mend_normals() {
     constexpr int kMostTurns = 32;
     constexpr double kAgrees = 0.05;  // cosine

@@ -1,6 +1,6 @@
-// A pot's surface of revolution as triangles, for the file that leaves and for the pictures on the screens:
-// rows of corners become one closed surface, dents and off-centre as they are. Any thread but the haptic one.
-// mm, the clay's frame: x along its direction 0, y up, corners counter-clockwise seen from above.
+// A pot's surface of revolution as triangles, for exported files and for pictures on the screens: rows of
+// corners become one closed surface, with dents and off-centre. Any thread but the haptic one. mm, the clay's
+// frame: x along its direction 0, y up, corners counter-clockwise seen from above.
 #pragma once
 
 #include <cstdint>
@@ -10,37 +10,36 @@
 
 namespace onggi::pot {
 
-// Corners of a regular polygon, without libm's trigonometry, which differs from machine to machine. Any
-// thread.
+// Corners of a regular polygon, without libm trigonometry, which differs between machines. Any thread.
 
 // n unit vectors (cos, sin) at 2 pi k/n, from halved angles and exact square roots. n = 2^a or 3 x 2^a, a
 // >= 2.
 std::vector<dvec2> unit_circle(int n);
 
-// A circle about a centre of its own, whose corners lie that much further out.
+// A circle with its own centre; the dents move its corners outwards.
 struct SurfaceRow {
     double y_mm = 0.0;
     double radius_mm = 0.0;
     dvec2 centre_mm{0.0};
     bool inside = false;
-    std::vector<double> dents_mm{};  // one a corner; none where the whole pot is round
+    std::vector<double> dents_mm{};  // one a corner; empty if the whole pot is round
 
     [[nodiscard]] double corner_mm(std::size_t k) const {
         return dents_mm.empty() ? radius_mm : radius_mm + dents_mm[k];
     }
 };
 
-// Along the outline from one row to another.
+// Distance along the outline from one row to another.
 [[nodiscard]] double distance_mm(const SurfaceRow& a, const SurfaceRow& b);
 
-// Rows nearer than this would make triangles without an area in float metres.
+// Rows closer than this would make triangles without area in float metres.
 constexpr double kNearestRowsMm = 1e-3;
-// An opening narrower than this is drawn as wide as this, for the same reason.
+// A narrower opening is drawn this wide, for the same reason.
 constexpr double kNarrowestOpeningMm = 0.02;
 
-// A surface walked row by row such that its outside lies to the right of the walk in the plane of radius and
+// A surface as a sequence of rows whose outside lies to the right of the walk in the plane of radius and
 // height: up the outside, in over the rim, down the inside. Both ends are closed by discs, the first facing
-// down and the last facing up; or the last row meets the first.
+// down and the last facing up; or the last row connects to the first.
 struct Walk {
     std::vector<SurfaceRow> rows{};
     bool meets_itself = false;
@@ -52,32 +51,34 @@ class SurfaceBuilder {
     struct Strip {
         std::uint32_t first = 0;
         std::uint32_t count = 0;
-        double along_mm = 0.0;  // of the walks so far
+        double along_mm = 0.0;  // distance along all walks so far
         double radius_mm = 0.0;
         double y_mm = 0.0;
         bool inside = false;
         bool is_middle = false;
     };
 
-    // Corners of a row: as unit_circle() has them. Unwrapped, each vertex has a direction of its own: a row's
-    // first corner stands twice, at 0 and at a whole turn, and a disc's middle once for each of its
-    // triangles.
+    // corners: of a row, as in unit_circle(). unwraps: each vertex has a texture coordinate of its own, so a
+    // row's first corner is doubled, at 0 and at a whole turn, and a disc's middle is repeated for each of
+    // its triangles.
     SurfaceBuilder(int corners, bool unwraps);
 
     void add_walk(const Walk& walk);
     [[nodiscard]] double volume_mm3() const;
-    // Unit length, none of them against a face that it belongs to. After the last walk; once.
+    // Normalises the normals, so that none points away from a face of its vertex. Call once, after the last
+    // walk.
     void finish_normals();
 
-    [[nodiscard]] const std::vector<Strip>& strips() const { return strips_; }  // as they were walked
-    [[nodiscard]] double along_mm() const { return along_mm_; }                 // of all walks
-    // Where a strip's vertex lies about the axis, in turns from the clay's direction 0; of unwrapped ones.
+    [[nodiscard]] const std::vector<Strip>& strips() const { return strips_; }  // in the order of the walks
+    [[nodiscard]] double along_mm() const { return along_mm_; }                 // length of all walks
+    // Direction of a strip's vertex about the axis, in turns from the clay's direction 0; for unwrapped
+    // surfaces.
     [[nodiscard]] double turns(const Strip& strip, std::uint32_t k) const;
-    // The way outwards there.
+    // Outward direction there.
     [[nodiscard]] dvec2 outward(const Strip& strip, std::uint32_t k) const;
 
     std::vector<dvec3> positions_mm;
-    std::vector<dvec3> normals;  // summed over faces, until they are finished
+    std::vector<dvec3> normals;  // sums over faces until finish_normals()
     std::vector<std::uint32_t> indices;
 
   private:

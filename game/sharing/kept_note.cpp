@@ -9,7 +9,7 @@
 namespace onggi::sharing {
 namespace {
 
-// The rest of the next line, which begins with that word; none where it does not.
+// Takes the next line if it begins with `word`. Returns the rest of that line; empty otherwise.
 std::optional<std::string_view> take_line(std::string_view& text, std::string_view word) {
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos || !text.starts_with(word)) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<std::int64_t> seconds(std::optional<std::string_view> text) {
 
 bool is_over(const KeptNote& note, std::int64_t now_s) {
     constexpr std::int64_t kLongestStayS = (std::int64_t{168} + 1) * 3600;
-    constexpr std::int64_t kClockIsSetS = 1'767'225'600;  // 2026-01-01: no kiosk is older than its program
+    constexpr std::int64_t kClockIsSetS = 1'767'225'600;  // 2026-01-01: an earlier clock is not set yet
     if (note.expires_s <= now_s) return true;
     return now_s >= kClockIsSetS && note.expires_s - now_s > kLongestStayS;
 }

@@ -1,4 +1,4 @@
-// The note in a shared pot's folder: when it came, when it goes. Three lines of plain text, format 1
+// The note in a shared pot's folder: creation and expiry time. Three lines of plain text, format 1
 // (game/app/FORMATS.md). Any thread.
 #pragma once
 
@@ -11,19 +11,19 @@ namespace onggi::sharing {
 
 struct KeptNote {
     std::int64_t made_s = 0;     // seconds since 1970, UTC
-    std::int64_t expires_s = 0;  // gone from then on
+    std::int64_t expires_s = 0;  // the pot is gone from this time on
     std::string gallery_name;    // of the pot in the kiosk's gallery; may be empty
 };
 
 constexpr std::size_t kMostNoteBytes = 512;
 
-// Whether the pot's time is over. Also where it was shared by a clock that was far ahead: none stays longer
-// than the settings can say (a week) and an hour, except while the machine's own clock plainly stands before
-// today, as without a battery it does until the network tells it the time.
+// Whether the pot has expired. Also true for a pot shared while the clock was far ahead: no pot stays longer
+// than the largest setting (a week) plus an hour. This second rule waits until the machine's clock is set:
+// without a battery it starts in the past until the network sets it.
 [[nodiscard]] bool is_over(const KeptNote& note, std::int64_t now_s);
 
 [[nodiscard]] std::string written(const KeptNote& note);
-// None for anything that written() does not give.
+// Empty for any text that written() does not return.
 [[nodiscard]] std::optional<KeptNote> read_note(std::string_view text);
 
 }  // namespace onggi::sharing

@@ -22,7 +22,8 @@ Result<CounterReader> CounterReader::open(const std::filesystem::path& pipe) {
     constexpr mode_t kOwnerReadsGroupWrites = 0620;
     if (::mkfifo(pipe.c_str(), kOwnerReadsGroupWrites) != 0 && errno != EEXIST)
         return refused(errno, "to make a pipe");
-    // For writing too: then there is no end of the pipe when the server stops, and opening waits for nobody.
+    // Opened for writing too: the pipe then has no end of file when the server stops, and open() does not
+    // block.
     const int descriptor = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC | O_NOFOLLOW);
     if (descriptor < 0) return refused(errno, "to open a pipe");
     struct stat status {};
@@ -48,7 +49,7 @@ CounterReader::~CounterReader() {
 std::map<ShareEvent, int> CounterReader::take() {
     std::map<ShareEvent, int> counts;
     std::array<char, 4096> letters{};
-    constexpr int kMostRounds = 16;  // as much as a pipe holds, so that a flood keeps nobody here
+    constexpr int kMostRounds = 16;  // a pipe's capacity: bounds the time under a flood of events
     for (int round = 0; round < kMostRounds; ++round) {
         const ssize_t got = ::read(descriptor_, letters.data(), letters.size());
         if (got <= 0) break;
@@ -72,12 +73,12 @@ CounterWriter::~CounterWriter() {
 
 void CounterWriter::count(ShareEvent event) noexcept {
     if (pipe_.empty()) return;
-    // No reader yet: asked for again with the next event.
+    // Without a reader, the next event tries again.
     if (descriptor_ < 0) descriptor_ = ::open(pipe_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor_ < 0) return;
     const char letter = static_cast<char>(event);
     if (::write(descriptor_, &letter, 1) == 1 || errno == EAGAIN || errno == EINTR) return;
-    ::close(descriptor_);  // the reader has gone
+    ::close(descriptor_);  // the reader closed the pipe
     descriptor_ = -1;
 }
 

@@ -1,6 +1,6 @@
-// What is counted of phones: that a page was opened, that a file was taken, and nothing of whom. The server
-// writes a letter an event into a pipe of which it can read nothing; the kiosk reads it now and then. Any one
-// thread but the haptic one; never blocks.
+// Anonymous counts of phone requests: pages opened and files taken. The server writes one letter an event
+// into a pipe that it cannot read; the kiosk reads the pipe now and then. Any one thread but the haptic one;
+// never blocks.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@ namespace onggi::sharing {
 
 enum class ShareEvent : char { kPageOpened = 'o', kModelTaken = 'm', kPrintTaken = 'p', kFilmTaken = 'f' };
 
-// The kiosk's end: a named pipe, made where there is none (for the owner to read and write, for the group to
-// write).
+// The kiosk's end: a named pipe, created if missing (the owner may read and write, the group may write).
 class CounterReader {
   public:
-    // Bad input: no folder there, or something that is no pipe. System lacks: it may not be made or opened.
+    // Bad input: the folder is missing, or the path is not a pipe. System lacks: the pipe cannot be created
+    // or opened.
     [[nodiscard]] static Result<CounterReader> open(const std::filesystem::path& pipe);
     CounterReader(CounterReader&& other) noexcept;
     CounterReader& operator=(CounterReader&& other) noexcept;
@@ -24,8 +24,7 @@ class CounterReader {
     CounterReader& operator=(const CounterReader&) = delete;
     ~CounterReader();
 
-    // What has happened since it was last asked; 64 kB at most at once. Letters that mean nothing are passed
-    // over.
+    // The events since the last call, up to 64 kB at once. Unknown letters are ignored.
     [[nodiscard]] std::map<ShareEvent, int> take();
 
   private:
@@ -33,10 +32,10 @@ class CounterReader {
     int descriptor_ = -1;
 };
 
-// The server's end. Where nobody reads, or the pipe is full, an event is not counted, and nobody waits.
+// The server's end. Without a reader, or with a full pipe, an event is dropped without waiting.
 class CounterWriter {
   public:
-    explicit CounterWriter(std::filesystem::path pipe) : pipe_(std::move(pipe)) {}  // empty: nothing is
+    explicit CounterWriter(std::filesystem::path pipe) : pipe_(std::move(pipe)) {}  // empty: counts nothing
     CounterWriter(const CounterWriter&) = delete;
     CounterWriter& operator=(const CounterWriter&) = delete;
     ~CounterWriter();

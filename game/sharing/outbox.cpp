@@ -30,14 +30,14 @@ std::uint64_t bytes_in(const fs::path& folder) {
     return sum;
 }
 
-// Only where it is not there as it should be: every start would otherwise wear the disk.
+// Writes the file only if its content differs, to avoid disk wear at every start.
 Result<void> lay_down(const fs::path& file, std::string_view text) {
     const auto there = files::read_file(file, text.size() + 1);
     if (there && *there == text) return {};
     return files::write_file_atomically(file, text);
 }
 
-// What lies in the folder of this code.
+// Builds the content of this code's folder.
 Result<PageFolder> filled(const SharedPot& pot, const OutboxOptions& options, const ShareCode& code,
                           const ShareTime& time) {
     auto files = PageFolder::of(pot);
@@ -66,7 +66,7 @@ Result<Outbox> Outbox::open(OutboxOptions options) {
     if (!options.languages || options.languages->empty())
         return bad_input("the outbox: expected a language for its pages, found none");
     files::clear_parts(options.folder);
-    // Who was killed while a pot was renewed left something in it.
+    // A process killed during renew() may have left parts in a pot's folder.
     for (const fs::path& entry : list_folder(options.folder).entries) {
         if (ShareCode::read_exactly(entry.filename().native())) files::clear_parts(entry);
     }
@@ -90,7 +90,7 @@ Result<ShareCode> Outbox::put(const SharedPot& pot, const ShareTime& time) {
         const auto code = ShareCode::by_chance();
         if (!code) return code.error();
         std::error_code error;
-        if (fs::exists(place_of(*code), error)) continue;  // once in 2^40
+        if (fs::exists(place_of(*code), error)) continue;  // a collision, once in 2^40
         const auto files = filled(pot, options_, *code, time);
         if (!files) return files.error();
         auto folder = files::AtomicFolder::create(place_of(*code));
@@ -116,7 +116,7 @@ Result<bool> Outbox::renew(const ShareCode& code, const SharedPot& pot, const Sh
     return true;
 }
 
-// Not before the newcomer is there: a pot that cannot be put costs no other its place.
+// Called after the new pot is on disk: a failed put() removes no other pot.
 Result<void> Outbox::make_room(const ShareCode& newcomer) {
     auto all = list();
     if (!all) return all.error();
@@ -161,7 +161,7 @@ Result<int> Outbox::expire(std::int64_t now_s) {
         const auto code = ShareCode::read_exactly(entry.filename().native());
         if (!code) continue;
         const auto text = files::read_file(entry / kNoteName, kMostNoteBytes);
-        // A disk that does not give the note back is no reason to throw the pot away.
+        // A read error of the note is no reason to delete the pot.
         if (!text && text.error().kind != ErrorKind::kBadInput) continue;
         const auto note = text ? read_note(*text) : std::nullopt;
         if (note && !is_over(*note, now_s)) continue;

@@ -1,7 +1,7 @@
-// The pots that phones may fetch, on the disk: a folder a pot, named by its code, with a page in each
-// language and all its files, there whole or not at all and gone when its time is over. Another process, or a
-// house's own web server, serves the folder. Any one thread at a time but the haptic one; blocks. No error is
-// thrown, no clock is read.
+// The pots that phones may fetch, on disk: one folder a pot, named by its code, with a page in each language
+// and all its files. A folder appears atomically and is removed on expiry. Another process, or the museum's
+// own web server, serves the outbox. Any one thread at a time but the haptic one; blocks. Throws no error,
+// reads no clock.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,19 @@ namespace onggi::sharing {
 
 struct OutboxOptions {
     std::filesystem::path folder;
-    std::size_t most_pots = 200;               // the oldest leave first
-    std::uint64_t most_bytes = 1'000'000'000;  // of all pots together; the oldest leave first
+    std::size_t most_pots = 200;               // the oldest are removed first
+    std::uint64_t most_bytes = 1'000'000'000;  // of all pots; the oldest are removed first
     // In the order of the page's links; at least one.
     std::shared_ptr<const std::vector<kiosk::Language>> languages{};
-    bool own_digits = true;    // Arabic-Indic ones in Arabic
-    std::string public_url{};  // "https://museum.org/pots", below which the folder is served; may be empty
+    bool own_digits = true;    // Arabic-Indic digits in Arabic
+    std::string public_url{};  // "https://museum.org/pots", the URL of the served outbox; may be empty
 };
 
-// Seconds since 1970, UTC; the clock's offset from it there and then.
+// Seconds since 1970, UTC, and the local offset from UTC.
 struct ShareTime {
     std::int64_t now_s = 0;
     std::int64_t expires_s = 0;
-    std::int64_t utc_offset_s = 0;  // of local time, for what the page says
+    std::int64_t utc_offset_s = 0;  // of local time, for the page's text
 };
 
 struct OutboxEntry {
@@ -44,24 +44,24 @@ struct OutboxEntry {
 
 class Outbox {
   public:
-    // Makes the folder where it is missing, takes away what a killed writer left, and lays down what stands
-    // at its door: the page that asks for a code, the one that says that there is no pot, robots.txt. System
-    // lacks: it may not be written. Bad input: something that is no folder.
+    // Creates the folder if missing, removes the leftovers of a killed writer, and writes the outbox's own
+    // files: the page that asks for a code, the page for a missing pot, robots.txt. System lacks: the folder
+    // is not writable. Bad input: the path is not a folder.
     [[nodiscard]] static Result<Outbox> open(OutboxOptions options);
 
-    // When it returns, the pot is on the disk and stays over a power cut. Those whose time is over leave
-    // first, and the oldest for which the newcomer leaves no room. Bad input: a file that cannot be read, a
-    // picture that is none, a pot that is larger than everything may be, a time that is over. System lacks:
-    // no room, no permission. Then nothing is there.
+    // When it returns, the pot is on disk and survives a power cut. Expired pots are removed first, then the
+    // oldest until the new one fits. Bad input: a file that cannot be read, a picture in an unknown format, a
+    // pot larger than the outbox, an expiry time in the past. System lacks: no space, no permission. After an
+    // error the pot's folder does not exist.
     [[nodiscard]] Result<ShareCode> put(const SharedPot& pot, const ShareTime& time);
-    // Each file of the pot that has this code once more, in the place of the one before, its pages last: with
-    // what it lacked then. False: it is gone, and stays so. Errors as put(); what was there is there.
+    // Rewrites each file of the pot with this code, pages last, to add files that were missing. Returns false
+    // if the pot is gone; it stays gone. Errors as put(); existing files stay.
     [[nodiscard]] Result<bool> renew(const ShareCode& code, const SharedPot& pot, const ShareTime& time);
-    // True if there was such a pot. It is gone when this returns.
+    // Removes the pot before it returns. Returns true if the pot existed.
     [[nodiscard]] Result<bool> withdraw(const ShareCode& code);
-    // The same of the pot that the gallery calls so: true if it was shared.
+    // Removes the shared pot with that gallery name. Returns true if it was shared.
     [[nodiscard]] Result<bool> withdraw_named(const std::string& gallery_name);
-    // Takes away those whose time is over, and folders of codes that have no note; gives how many there were.
+    // Removes expired pots, and code folders without a note. Returns how many.
     [[nodiscard]] Result<int> expire(std::int64_t now_s);
     // Oldest first.
     [[nodiscard]] Result<std::vector<OutboxEntry>> list() const;

@@ -1,4 +1,4 @@
-// The files of a shared pot's folder: what each is called, what the web calls its kind. Any thread; constant.
+// The files of a shared pot's folder: names and media types. Any thread; constant.
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@ namespace onggi::sharing {
 struct PageFile {
     std::string_view name;
     std::string_view media_type;
-    bool has_twin = false;  // NAME.gz beside it, the same packed
-    char counted = '\0';    // what the counter says when a phone asks for it: open_counter.h
+    bool has_twin = false;  // NAME.gz beside it has the same content compressed
+    char counted = '\0';    // the event counted when a phone requests it: open_counter.h
 };
 
-// What may lie in a pot's folder and be asked for; nothing else is ever opened. Pages of languages are called
-// CODE.html, such as ko.html. None: no such file.
+// The files that a pot's folder may have and a phone may request; no other file is ever opened. Pages of
+// languages are named CODE.html, such as ko.html. Empty for an unknown name.
 [[nodiscard]] std::optional<PageFile> page_file(std::string_view name);
 
-// What the bytes of a picture begin as: "png", "jpg" or "webp"; empty: none of them.
+// The format of a picture from its first bytes: "png", "jpg" or "webp"; empty for others.
 [[nodiscard]] std::string_view picture_ending(std::span<const std::byte> bytes);
 
 constexpr std::string_view kTwinEnding = ".gz";
-// Says when the pot goes, for the server and the outbox: kept_note.h. Never served.
+// The expiry note, for the server and the outbox: kept_note.h. Never served.
 constexpr std::string_view kNoteName = ".kept";
 
 }  // namespace onggi::sharing

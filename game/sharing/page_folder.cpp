@@ -23,7 +23,7 @@ std::vector<std::byte> bytes_of(std::string_view text) {
     return {begin, begin + text.size()};
 }
 
-// Rounded down, also before 1970.
+// Rounds down, also before 1970.
 std::int64_t day_of(std::int64_t local_s) {
     return (local_s >= 0 ? local_s : local_s - (kDayS - 1)) / kDayS;
 }
@@ -32,7 +32,7 @@ std::int64_t day_of(std::int64_t local_s) {
 
 GoneAt gone_at(const ShareTime& time) {
     const std::int64_t goes = time.expires_s + time.utc_offset_s;
-    // Midnight is the end of a day, not the beginning of one.
+    // Midnight counts as the end of a day, not as the start of the next.
     const std::int64_t day = day_of(goes - 1);
     const std::int64_t minutes = (goes - day * kDayS) / 60;
     const std::string clock = fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);

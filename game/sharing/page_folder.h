@@ -1,5 +1,5 @@
-// What goes into a shared pot's folder, worked out in memory and then written: pages, look, files, their
-// packed twins, the note. Inside the outbox's room. Any thread but the haptic one; write() blocks.
+// The content of a shared pot's folder, built in memory and then written: pages, style, files, their
+// compressed twins, the note. Internal to the outbox. Any thread but the haptic one; write() blocks.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,23 @@ namespace onggi::sharing {
 
 class PageFolder {
   public:
-    // Reads the pot's files. Bad input: one cannot be read, or a picture is none.
+    // Reads the pot's files. Bad input: a file that cannot be read, or a picture in an unknown format.
     [[nodiscard]] static Result<PageFolder> of(const SharedPot& pot);
 
-    // The pages, and what is the same for every pot.
+    // Adds the pages, and the files that are the same for every pot.
     void add_pages(const SharedPot& pot, const OutboxOptions& options, const ShareCode& code,
                    const ShareTime& time);
     void add_note(const KeptNote& note);
     Result<void> add_twins();
 
     [[nodiscard]] std::uint64_t bytes() const;
-    // The pages last, so that none has a link to what is not there.
+    // Writes the pages last, so that no page links to a missing file.
     Result<void> write(const std::filesystem::path& folder) const;
 
   private:
     using Bytes = std::vector<std::byte>;
     Result<void> add(const FileContent& content, const std::string& name);
-    // NAME.png, .jpg or .webp; gives which.
+    // Adds NAME.png, .jpg or .webp. Returns the full name.
     Result<std::string> add_picture(const FileContent& content, const std::string& name);
     void add_text(const std::string& name, std::string_view text);
 
@@ -44,7 +44,7 @@ class PageFolder {
     std::string still_;
 };
 
-// When a pot goes, as its page says it: "18:00" for a time of the same local day, "24:00" for its end; else
+// The expiry time as on the page: "18:00" for a time on the same local day, "24:00" for its end; else
 // "2026-11-25, 18:00".
 struct GoneAt {
     std::string text;

@@ -15,7 +15,7 @@ constexpr std::size_t kMostPoints = 160;
 constexpr double kMostMm = 2000.0;
 
 bool is_drawn(const OutlinePoint& point) {
-    // Not-a-number is no number from 0 to kMostMm.
+    // NaN fails these comparisons.
     return point.radius_mm >= 0.0 && point.radius_mm <= kMostMm && std::abs(point.height_mm) <= kMostMm;
 }
 
@@ -59,7 +59,7 @@ std::string path_of(const std::vector<OutlinePoint>& points, double middle, doub
     return path + "Z";
 }
 
-// One page in the making.
+// A page under construction.
 class Page {
   public:
     explicit Page(const PageFacts& facts)
@@ -89,7 +89,7 @@ class Page {
         static const PotWords none;
         return facts_.language < pot_.words.size() ? pot_.words[facts_.language] : none;
     }
-    // Said of the picture: "Your pot, Celadon".
+    // The picture's alternative text: "Your pot, Celadon".
     [[nodiscard]] std::string said() const {
         return word("your.title") + (words().glaze.empty() ? "" : ", " + html(words().glaze));
     }
@@ -171,8 +171,8 @@ class Page {
         return links.empty() ? "" : "<div class=\"files\">\n" + links + "</div>\n";
     }
 
-    // Android's Scene Viewer, which wants the model by https. The script shows it where there is one. Not for
-    // iOS: it wants USDZ, which is not written.
+    // A link to Android's Scene Viewer, which needs the model over https. The script shows it if the phone
+    // has that viewer. iOS would need USDZ, which is not written.
     [[nodiscard]] std::string augmented() const {
         if (!facts_.page_url.starts_with("https://") || !pot_.model_glb.is_given()) return {};
         return fmt::format(
@@ -244,7 +244,7 @@ std::string around(const kiosk::Language& first, const std::string& title, const
         built_in::kPlainCss, inside);
 }
 
-// What `one` gives for each language, the first one's first.
+// Concatenates the results of `one` for each language, starting with `first`.
 template <typename One>
 std::string in_each(const std::vector<kiosk::Language>& languages, std::size_t first, One one) {
     std::string text = one(languages[first], true);
@@ -280,7 +280,7 @@ std::string html(std::string_view text) {
                 safe += "&#39;";
                 break;
             default: {
-                // U+00A0 to U+00BF: no control characters, though they begin with the same byte.
+                // U+00A0 to U+00BF start with the same byte as control characters, but are printable.
                 const bool is_latin = text.size() > 1 && text[0] == '\xc2' &&
                                       static_cast<unsigned char>(text[1]) >= 0xa0 &&
                                       static_cast<unsigned char>(text[1]) <= 0xbf;
@@ -302,7 +302,7 @@ std::string outline_numbers(std::span<const OutlinePoint> outline) {
     std::string text;
     for (const OutlinePoint& point : thinned(outline)) {
         if (!text.empty()) text += ' ';
-        // As short as they can be: 54.2, 5.
+        // In the shortest form: 54.2, 5.
         const auto tenth = [](double value) { return std::round(value * 10.0) / 10.0 + 0.0; };
         text += fmt::format("{},{}", tenth(point.radius_mm), tenth(point.height_mm));
     }

@@ -1,6 +1,6 @@
-// The page of a shared pot: static HTML in one language, with links to the others, the picture and the files.
-// It works without a script and asks no other host for anything. And the two pages that are no pot's. Any
-// thread; pure.
+// The page of a shared pot: static HTML in one language, with links to the other languages, the picture and
+// the files. It works without a script and loads nothing from other hosts. Also the two pages without a pot.
+// Any thread; pure.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +15,24 @@
 
 namespace onggi::sharing {
 
-// Text made fit to stand in HTML, between tags or between double quotes. Whatever it is, it opens no tag,
-// ends no attribute and is UTF-8: what is not, and control characters but the end of a line, become U+FFFD.
+// Escapes text for HTML, between tags or between double quotes. Any input is safe: the result opens no tag,
+// ends no attribute and is UTF-8. Invalid bytes, and control characters except line ends, become U+FFFD.
 [[nodiscard]] std::string html(std::string_view text);
 
 // lang="ko" dir="ltr"
 [[nodiscard]] std::string language_attributes(std::string_view code, bool right_to_left);
 
-// A pot's outline as the page has it: numbers for the script that draws the pot, and a drawn shape.
+// A pot's outline on the page: as numbers for the script that draws the pot, and as SVG.
 
-// "50,0 54.2,5 ..." radius and height, mm to a tenth; at most 160 points, the first and the last among them.
-// What is not finite or beyond two metres ends it.
+// "50,0 54.2,5 ...": radius and height, mm to a tenth; up to 160 points, including the first and the last.
+// Stops at the first value that is not finite or exceeds two metres.
 [[nodiscard]] std::string outline_numbers(std::span<const OutlinePoint> outline);
 
-// Two pots on one board at one scale, as SVG without words: ours, and the museum's after it.
+// Two pots on one board at the same scale, as SVG without text: ours, then the museum's.
 [[nodiscard]] std::string two_pots_svg(std::span<const OutlinePoint> ours,
                                        std::span<const OutlinePoint> nearest);
 
-// What the page's links name: files that lie beside it; empty: there is none.
+// Targets of the page's links: files beside it; empty if missing.
 struct PageLinks {
     std::string poster{};
     std::string picture{};
@@ -46,30 +46,31 @@ struct PageFacts {
     std::size_t language;  // of this page
     const ShareCode& code;
     PageLinks links;
-    std::string gone_at;     // "18:00" where it goes today, else "2026-11-25, 18:00"
+    std::string gone_at;     // "18:00" for today, else "2026-11-25, 18:00"
     bool is_gone_today;      //
-    bool own_digits = true;  // Arabic-Indic ones in Arabic
-    std::string page_url;    // "https://host/K73FQ9TX/"; without https: no augmented reality
+    bool own_digits = true;  // Arabic-Indic digits in Arabic
+    std::string page_url;    // "https://host/K73FQ9TX/"; without https the page has no augmented reality
 };
 
 [[nodiscard]] std::string phone_page(const PageFacts& facts);
 
-// What the browser is told to allow, for the header and for a server that sends none: only what lies beside.
+// The page's content security policy, for the header and for a server that sends none: allows only files
+// beside the page.
 constexpr std::string_view kPagePolicy =
     "default-src 'none'; img-src 'self' data:; style-src 'self'; script-src 'self'; base-uri 'none'; "
     "form-action 'self'";
 
-// The two pages that are no pot's: what stands where there is none, and where a code is typed. In all
-// languages at once, the one that is liked best first; they bring their look along.
+// The two pages without a pot: for an unknown code, and to type a code. Each has all languages, the preferred
+// one first, and embeds its style.
 
-// For a code that is none, is over or was withdrawn: nobody can tell which.
+// For a code that never existed, has expired or was withdrawn: the server cannot tell these apart.
 [[nodiscard]] std::string lost_page(const std::vector<kiosk::Language>& languages, std::size_t first);
 
-// At the address that the wheel shows, for those without a camera. With a house's own web server its script
-// finds the pot; ours does so without.
+// At the address that the wheel shows, for phones without a camera. On the museum's own web server the page's
+// script finds the pot; our server does so without it.
 [[nodiscard]] std::string ask_page(const std::vector<kiosk::Language>& languages, std::size_t first);
 
-// What that script is: a file beside the page.
+// The content of that script, a file beside the page.
 [[nodiscard]] std::string_view ask_script();
 
 constexpr std::string_view kPlainPolicy =

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view kAlphabet = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";  // Crockford, 2002
 constexpr std::string_view kMiddleDot = "\u00b7";
 
-// The letter of the alphabet that is meant; 0 for none.
+// Maps a typed letter to the alphabet; 0 if there is no match.
 char meant(char letter) {
     if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
     if (letter == 'O') return '0';
@@ -32,7 +32,7 @@ Result<ShareCode> ShareCode::by_chance() {
     }
     ShareCode code;
     for (std::size_t i = 0; i < kLetters; ++i)
-        code.letters_[i] = kAlphabet[bytes[i] % kAlphabet.size()];  // 256 is eight times 32: all as likely
+        code.letters_[i] = kAlphabet[bytes[i] % kAlphabet.size()];  // uniform: 256 is a multiple of 32
     return code;
 }
 

@@ -1,5 +1,5 @@
-// What a shared pot is found by, and by nothing else: eight letters of Crockford's base 32, 40 bits by
-// chance. Any thread.
+// The code of a shared pot, its only identifier: eight letters of Crockford's base 32, 40 random bits. Any
+// thread.
 #pragma once
 
 #include <array>
@@ -15,12 +15,13 @@ class ShareCode {
   public:
     static constexpr std::size_t kLetters = 8;
 
-    // By the kernel's chance (getrandom). System lacks: it gives none.
+    // From the kernel's random numbers (getrandom). System lacks: it returns none.
     [[nodiscard]] static Result<ShareCode> by_chance();
-    // What a person types: small letters too, O for 0, I and L for 1, with dashes, dots, spaces, underlines
-    // and U+00B7 anywhere. None for anything else: there is no U, so that no code spells a word.
+    // Reads a code as typed: also small letters, O for 0, I and L for 1, with dashes, dots, spaces,
+    // underscores and U+00B7 anywhere. Empty for anything else. The alphabet has no U, so that no code spells
+    // a word.
     [[nodiscard]] static std::optional<ShareCode> read(std::string_view typed);
-    // As it is written in an address, to the letter.
+    // Reads a code exactly as in an address.
     [[nodiscard]] static std::optional<ShareCode> read_exactly(std::string_view text);
 
     [[nodiscard]] std::string text() const { return {letters_.data(), letters_.size()}; }  // "K73FQ9TX"

@@ -37,8 +37,8 @@ ShareLimits::Bucket& ShareLimits::bucket_of(const AddressKey& address, double no
     return bucket;
 }
 
-// Those that are full again say nothing that a new one does not; where all are at work, half of them are
-// forgotten, so that a flood of addresses does not look through all of them each time.
+// Drops full buckets, which equal new ones. If too many remain, drops half of them, so that a flood of
+// addresses does not scan all buckets each time.
 void ShareLimits::make_room(double now_s) {
     std::erase_if(buckets_, [&](const auto& entry) {
         const Bucket& bucket = entry.second;

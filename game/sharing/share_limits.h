@@ -1,5 +1,5 @@
-// How much one address may ask for: a bucket of tokens each, in memory only and forgotten when it is full
-// again. No clock: time is handed in. Any one thread.
+// Rate limit per address: a token bucket each, kept only in memory and dropped when full again. No clock: the
+// caller passes the time. Any one thread.
 #pragma once
 
 #include <array>
@@ -9,18 +9,18 @@
 
 namespace onggi::sharing {
 
-// An address as the buckets know it: IPv4 whole, of IPv6 the network of a house (64 bits), because a machine
-// may take any address within.
+// The bucket key of an address: the whole of an IPv4 address; for IPv6 only the /64 network, because a
+// machine may use any address within it.
 using AddressKey = std::array<std::uint8_t, 9>;
 [[nodiscard]] AddressKey key_of_ipv4(const std::uint8_t (&address)[4]);
 [[nodiscard]] AddressKey key_of_ipv6(const std::uint8_t (&address)[16]);
 
 struct RateRules {
-    // A page and what it loads are some ten requests; behind one address may stand a whole museum's Wi-Fi.
+    // A page and its files are some ten requests; a whole museum's Wi-Fi may share one address.
     double most_tokens = 400.0;
     double tokens_per_s = 60.0;
-    // A code that is none costs more: who guesses gets four a second, and finds one of 200 pots among 2^40
-    // codes after some twenty years. Codes last a day.
+    // An unknown code costs more: an attacker who guesses gets four tries a second, and finds one of 200 pots
+    // among 2^40 codes after some twenty years. Codes last a day.
     double miss_costs = 15.0;
     std::size_t most_addresses = 4096;
 };
@@ -29,9 +29,9 @@ class ShareLimits {
   public:
     explicit ShareLimits(const RateRules& rules = {}) : rules_(rules) {}
 
-    // Whether this one may ask once more; takes a token if so. now_s never goes back.
+    // Whether the address may make a request; takes a token if so. now_s never goes back.
     [[nodiscard]] bool allows(const AddressKey& address, double now_s);
-    // It asked for a code that is none.
+    // Charges the address for an unknown code.
     void missed(const AddressKey& address, double now_s);
 
     [[nodiscard]] std::size_t addresses() const { return buckets_.size(); }

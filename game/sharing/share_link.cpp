@@ -7,7 +7,7 @@
 namespace onggi::sharing {
 namespace {
 
-// What stands for itself only behind a backslash in such a text.
+// Escapes the characters that need a backslash in such a text.
 std::string fenced(std::string_view text) {
     std::string safe;
     for (const char letter : text) {
@@ -46,7 +46,7 @@ ShareTime share_time(const kiosk::Config& config, std::int64_t now_s, std::int64
     }
     const std::int64_t of_day = ((now_s + utc_offset_s) % kDayS + kDayS) % kDayS;
     const bool closes = config.hours.opens_min != config.hours.closes_min;
-    // The next time that the clock says so. Who still throws when the doors close gets an hour.
+    // The next closing time. A visit that goes on after closing gets an hour.
     std::int64_t left_s = (closes ? std::int64_t{config.hours.closes_min} * 60 : kDayS) - of_day;
     if (left_s <= 0) left_s += kDayS;
     if (closes && !kiosk::is_open(config, static_cast<int>(of_day / 60))) left_s = kHourS;

@@ -8,7 +8,7 @@ namespace onggi::sharing {
 namespace {
 
 constexpr std::size_t kMostTarget = 512;
-constexpr std::size_t kMostHeader = 512;  // of one that is looked into
+constexpr std::size_t kMostHeader = 512;  // longer headers are ignored
 constexpr int kFullWeight = 1000;
 
 char small(char letter) {
@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// Up to the sign, which goes too; all of it where there is none.
+// Takes the text up to the sign and drops the sign; takes everything if there is no sign.
 std::string_view take_until(std::string_view& text, char sign) {
     const std::size_t end = text.find(sign);
     const std::string_view taken = text.substr(0, end);
@@ -36,7 +36,7 @@ std::string_view take_until(std::string_view& text, char sign) {
     return taken;
 }
 
-// ";q=0.5" as 500; 1000 where nothing is said.
+// ";q=0.5" as 500; 1000 by default.
 int weight(std::string_view parameters) {
     while (!parameters.empty()) {
         const std::string_view one = trimmed(take_until(parameters, ';'));
@@ -60,7 +60,7 @@ int hex_value(char letter) {
     return low >= 'a' && low <= 'f' ? low - 'a' + 10 : -1;
 }
 
-// The code that the form at "/" sends: "code=k73f-q9tx".
+// The code from the form at "/": "code=k73f-q9tx".
 std::optional<ShareCode> typed_code(std::string_view query) {
     constexpr std::string_view kField = "code=";
     while (!query.empty()) {
@@ -88,7 +88,7 @@ ShareAnswer moved_to(std::string location) {
     return {.kind = ShareAnswer::Kind::kMoved, .location = std::move(location)};
 }
 
-// "/": the page that asks for a code, or where a code that was typed leads.
+// "/": the page that asks for a code, or a redirect for a typed code.
 ShareAnswer at_the_door(std::string_view query) {
     if (query.empty()) return {.kind = ShareAnswer::Kind::kAskForCode};
     const auto code = typed_code(query);
@@ -102,14 +102,15 @@ ShareAnswer in_a_folder(std::string_view path, const ShareRequest& request) {
     const std::string_view folder = take_until(path, '/');
     const auto code = ShareCode::read_exactly(folder);
     if (!code || !has_slash) {
-        // As somebody typed it; there is no such folder for a house's own server, so it is no address.
+        // A code in typed form is redirected to its exact form, because the museum's own server has only
+        // exact folder names.
         const auto meant = ShareCode::read(folder);
         if (!meant || !path.empty()) return {.kind = ShareAnswer::Kind::kNotFound};
         return moved_to((has_slash ? "../" : "") + meant->text() + "/");
     }
     const auto file = page_file(path.empty() ? std::string_view("index.html") : path);
     if (!file) return {.kind = ShareAnswer::Kind::kNotFound};
-    // Bytes of a range are those of the file itself; one that depends on what was had before is all of it.
+    // A range refers to the uncompressed file. With If-Range the whole file is sent.
     const bool has_range = !request.range.empty() && request.if_range.empty();
     const auto named = detail::weight_of(request.accept_encoding, "gzip");
     const int gzip = named ? *named : detail::weight_of(request.accept_encoding, "*").value_or(0);
@@ -127,7 +128,7 @@ std::optional<int> detail::weight_of(std::string_view header, std::string_view w
     while (!header.empty()) {
         std::string_view item = take_until(header, ',');
         const std::string_view name = trimmed(take_until(item, ';'));
-        // "ko-KR" asks for "ko" as well.
+        // "ko-KR" matches "ko" as well.
         if (same_word(name, word) || (name.size() > word.size() && name[word.size()] == '-' &&
                                       same_word(name.substr(0, word.size()), word)))
             return weight(item);
@@ -167,7 +168,7 @@ ByteRange resolve_range(std::string_view range, std::uint64_t size) {
     const auto to = number_in<std::uint64_t>(to_text);
     if ((!from && !from_text.empty()) || (!to && !to_text.empty()) || (!from && !to)) return whole;
     if (from && to && *to < *from) return whole;
-    if (!from) {  // the last so many
+    if (!from) {  // suffix range: the last bytes
         const std::uint64_t count = std::min(*to, size);
         if (count == 0) return {.kind = ByteRange::Kind::kBeyond};
         return {.kind = ByteRange::Kind::kPart, .first = size - count, .count = count};

@@ -1,6 +1,6 @@
-// What a request of a phone asks for, decided from its words alone: no file is looked at. Whatever the words
-// are, the answer names a file of page_files.h in the folder of a code, or something that the server holds in
-// memory, or refuses; so no path of a request ever reaches the disk. Any thread; pure.
+// Decides the answer to a phone's request from its text alone: no file is read. For any input, the answer
+// names a file of page_files.h in the folder of a code, or content that the server holds in memory, or
+// refuses; so a request's path never reaches the disk. Any thread; pure.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace onggi::sharing {
 
-// As they came, nothing decoded. What a request has not is empty.
+// As received, nothing decoded. Missing headers are empty.
 struct ShareRequest {
     std::string_view method{};
     std::string_view target{};  // "/K73FQ9TX/pot.glb?x=1"
@@ -25,28 +25,28 @@ struct ShareRequest {
 
 struct ShareAnswer {
     enum class Kind {
-        kFile,        // of the folder of `code`
-        kAskForCode,  // the page at "/": for those without a camera
-        kScript,      // of that page
-        kRobots,      // robots.txt: nobody is to index anything
-        kNothing,     // the picture that browsers ask for unasked
+        kFile,        // in the folder of `code`
+        kAskForCode,  // the page at "/", for phones without a camera
+        kScript,      // the script of that page
+        kRobots,      // robots.txt: forbids indexing
+        kNothing,     // the icon that browsers request on their own
         kMoved,       // to `location`
         kNotFound,
-        kNotAllowed,  // another method than GET and HEAD
-        kBadRequest,  // no target that this server could have
+        kNotAllowed,  // a method other than GET and HEAD
+        kBadRequest,  // a target that this server cannot have
     };
     Kind kind = Kind::kNotFound;
     std::optional<ShareCode> code{};
-    PageFile file{"", ""};        // its name is of the request: it lives no longer
-    bool takes_gzip = false;      // the twin may be sent
-    std::string_view range = {};  // to be resolved when the size is known; empty: all of it
-    std::string location{};       // relative to the target, so that a house may put it below any path
+    PageFile file{"", ""};        // its name points into the request, and lives only as long
+    bool takes_gzip = false;      // the compressed twin may be sent
+    std::string_view range = {};  // to be resolved with the file's size; empty: the whole file
+    std::string location{};       // relative to the target, so that a museum may mount it below any path
 };
 
 [[nodiscard]] ShareAnswer answer_to(const ShareRequest& request);
 
-// Which bytes of a file of that size a Range header means (RFC 9110, 14). One range is obeyed; several, or
-// what is no range of bytes, mean the whole file.
+// Resolves a Range header for a file of that size (RFC 9110, 14). One range is honoured; several ranges, or
+// anything that is not a byte range, mean the whole file.
 struct ByteRange {
     enum class Kind { kWhole, kPart, kBeyond };
     Kind kind = Kind::kWhole;
@@ -55,13 +55,13 @@ struct ByteRange {
 };
 [[nodiscard]] ByteRange resolve_range(std::string_view range, std::uint64_t size);
 
-// Which of `count` languages, asked for by their codes, a phone likes best (Accept-Language, RFC
-// 9110 12.5.4); none where it names none of them.
+// The index in `codes` of the language that a phone prefers (Accept-Language, RFC 9110 12.5.4); empty if it
+// names none of them.
 template <typename Codes>
 [[nodiscard]] std::optional<std::size_t> liked_language(std::string_view accept_language, const Codes& codes);
 
 namespace detail {
-// How much a header of weighted words ("gzip;q=0.5, br") likes this one, 0 to 1000; none: it is not named.
+// Weight of a word in a header of weighted words ("gzip;q=0.5, br"), 0 to 1000; empty if it is not listed.
 [[nodiscard]] std::optional<int> weight_of(std::string_view header, std::string_view word);
 }  // namespace detail
 

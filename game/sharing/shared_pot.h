@@ -1,4 +1,4 @@
-// A pot as it is handed to the outbox: files, measures, words. Lengths mm. Any thread; plain values.
+// A pot for the outbox: files, measures, words. Lengths mm. Any thread; plain values.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace onggi::sharing {
 
-// A file that is on the disk already, or its bytes; neither: there is none, and no button for it.
+// A file on disk, or its bytes; without either the page has no button for it.
 struct FileContent {
     std::filesystem::path path{};
     std::vector<std::byte> bytes{};
@@ -22,44 +22,44 @@ struct OutlinePoint {
     double height_mm = 0.0;
 };
 
-// Words of one language that are this pot's own; what is empty is left out.
+// The pot's own words in one language; empty ones are left out.
 struct PotWords {
     std::string glaze{};         // "Celadon", below the title
-    std::string nearest_name{};  // the museum's pot that it is closest to: "Moon jar"
+    std::string nearest_name{};  // the most similar museum pot: "Moon jar"
     std::string nearest_line{};  // "Joseon, 18th c.\nNational Museum of Korea"
 };
 
 struct SharedPot {
-    // Pictures are PNG, JPEG or WebP, told apart by their bytes.
-    FileContent picture{};     // to keep; also shown where there is no poster
+    // Pictures are PNG, JPEG or WebP, detected from their bytes.
+    FileContent picture{};     // to save; also the poster if there is none
     FileContent poster{};      // shown first, small: some 20 kB
     FileContent model_glb{};   // 3D model
     FileContent print_stl{};   // for printing
     FileContent print_3mf{};   // for printing
-    FileContent film{};        // WebP that moves, how it was made
-    FileContent film_still{};  // shown until the film is asked for
+    FileContent film{};        // animated WebP of the making
+    FileContent film_still{};  // shown until the film starts
     double film_s = 0.0;
 
-    // The fired pot's wall: up the outside from the foot, and down the inside from the rim, which may be
-    // missing. Without an outside the page shows the poster only.
+    // The fired pot's wall: up the outside from the foot, and down the inside from the rim; the inside may be
+    // empty. Without an outside the page shows only the poster.
     std::vector<OutlinePoint> outside{};
     std::vector<OutlinePoint> inside{};
-    // Wrapped round the outside: its columns go round, its rows from the rim down to the foot in equal steps
-    // along the outline. Where there is none, the colour.
+    // Texture wrapped round the outside: columns go round, rows go from the rim down to the foot in equal
+    // steps along the outline. Without it the page uses the colour.
     FileContent surface{};
     std::array<double, 3> colour_linear{0.34, 0.2, 0.12};  // linear light, 0 to 1
     double gloss = 0.5;                                    // 0 matt to 1 glass
 
-    // Of 0: left out.
+    // Measures; 0 is left out.
     double height_mm = 0.0;
     double width_mm = 0.0;
     double mass_g = 0.0;
     double capacity_ml = 0.0;
 
     std::vector<PotWords> words{};                // one for each language of the outbox, in its order
-    std::size_t first_language = 0;               // the visitor's
+    std::size_t first_language = 0;               // index of the visitor's language
     std::vector<OutlinePoint> nearest_outside{};  // of the museum's pot, from the foot
-    std::string gallery_name{};  // "2026-11-21/pot-014": what to withdraw when it is deleted there
+    std::string gallery_name{};  // "2026-11-21/pot-014": deleting it in the gallery withdraws the shared pot
 };
 
 }  // namespace onggi::sharing
