@@ -10,9 +10,9 @@
 #include "engine/core/number_in.h"
 #include "engine/core/quote.h"
 
-// Whole in this file, because the packaged library throws. What it asserts of a text holds of good TOML alone
-// ("[!]" fails it), and it has clang optimise by that where nothing asserts; asked for nothing, it reports
-// each as an error.
+// Compiled header-only, because the packaged library throws exceptions. toml++'s assertions fail on malformed
+// input ("[!]"), and with NDEBUG clang takes them as optimiser hints. With both disabled, malformed input is
+// a parse error.
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 0
 #define TOML_ASSERT(claim) static_assert(true)
@@ -26,7 +26,7 @@ namespace {
 
 struct Setting {
     std::string_view allowed;
-    // False when the value is of another kind or out of bounds.
+    // Returns false if the value has another type or is out of bounds.
     std::function<bool(const toml::node&)> take;
 };
 
@@ -76,7 +76,7 @@ bool is_pin(const std::string& pin) {
     return digits && (pin.empty() || (pin.size() >= 4 && pin.size() <= 8));
 }
 
-// "10.0.0.5", "fd00::5", "wlan0"; what it really is the machine will tell.
+// "10.0.0.5", "fd00::5", "wlan0"; only the machine that listens can resolve it.
 bool is_address_or_interface(const std::string& text) {
     return text.size() <= 45 && std::all_of(text.begin(), text.end(), [](char letter) {
                return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
@@ -85,7 +85,7 @@ bool is_address_or_interface(const std::string& text) {
            });
 }
 
-// Letters that stand for themselves in an address (RFC 3986), behind http:// or https:// and a host.
+// http:// or https://, a host, and characters that need no percent-encoding (RFC 3986).
 bool is_web_address(const std::string& text) {
     if (text.empty()) return true;
     const std::size_t host = text.starts_with("https://") ? 8 : text.starts_with("http://") ? 7 : text.size();
@@ -144,7 +144,7 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"languages.folder", words(config.languages.folder, "a folder", anything)},
         {"languages.own_digits", yes_or_no(config.languages.own_digits)},
         {"visit.idle_s", number(config.visit.idle_s, 10.0, 600.0, "10 to 600")},
-        // WCAG 2.1, 2.2.1: at least 20 s to go on with one simple action.
+        // WCAG 2.1, 2.2.1: at least 20 s to continue with one simple action.
         {"visit.countdown_s", number(config.visit.countdown_s, 20.0, 120.0, "20 to 120")},
         {"visit.forgiving", yes_or_no(config.visit.forgiving)},
         {"visit.shows_by_itself", yes_or_no(config.visit.shows_by_itself)},
@@ -186,7 +186,7 @@ std::map<std::string, Setting> settings_of(Config& config) {
     };
 }
 
-// How the value stood in the file, or nearly.
+// The value approximately as the file wrote it.
 std::string shown_value(const toml::node& node) {
     if (const auto text = node.value<std::string>(); node.is_string() && text) return in_quotes(*text);
     if (node.is_table()) return "a table";
@@ -213,12 +213,13 @@ std::string keys_under(const std::map<std::string, Setting>& settings, std::stri
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// What toml++ 3.2 must not be given: a letter beyond ASCII where TOML allows none. It asks whether each is a
-// space by a table that some of them, U+FCFF for one, lead out of. Strings of several lines are not looked
-// into; no setting has any. The line, counted from 1; none: all is well, if this is TOML.
+// Finds a non-ASCII character outside strings and comments, where TOML allows none. toml++ 3.2 looks such
+// characters up in a table of spaces, and some of them, such as U+FCFF, read beyond its end. Multi-line
+// strings are not supported; no setting has one. Returns the line, counted from 1, or nothing if there is
+// none.
 std::optional<std::pair<int, std::string_view>> out_of_place(std::string_view text) {
     int line = 1;
-    char quote = '\0';  // in a string that began so, or after a #
+    char quote = '\0';  // the quote of the current string, or # in a comment
     for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size(); ++i) {
         const char letter = text[i];
         if (letter == '\n') {
@@ -239,8 +240,8 @@ std::optional<std::pair<int, std::string_view>> out_of_place(std::string_view te
     return std::nullopt;
 }
 
-// With a plain letter for each byte of another alphabet. If this is TOML its strings are where out_of_place()
-// took them to be, and there other letters do no harm; a quote in the middle of a word is found out.
+// Replaces each non-ASCII byte by an ASCII letter. If the result is valid TOML, its strings are where
+// out_of_place() assumed them, and non-ASCII characters in strings are harmless.
 std::string in_plain_letters(std::string_view text) {
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     std::string plain(text);
@@ -293,7 +294,7 @@ Result<Config> read_config(std::string_view toml_text, const std::string& file) 
     }
     const auto& order = config.languages.order;
     if (std::find(order.begin(), order.end(), config.languages.first) == order.end()) {
-        // Only said where somebody asked for it: a file that names other languages than English alone.
+        // An error only if the file sets languages.first; it may list languages without the default, English.
         if (const toml::node* first = parsed.table().at_path("languages.first").node()) {
             return at(file, first->source(),
                       fmt::format("expected one of languages.order for first, found {}",

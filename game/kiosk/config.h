@@ -10,7 +10,7 @@
 
 namespace onggi::kiosk {
 
-// A megabyte of the settings, and of what the staff reads.
+// Bytes per megabyte, in the settings and on the staff panel.
 constexpr double kBytesPerMb = 1e6;
 
 struct Config {
@@ -19,75 +19,75 @@ struct Config {
         double distance_mm = 600.0;  // from the eyes; text is sized for it
         bool full_screen = false;
         bool text_always_large = false;
-        std::string room;              // a folder with its photographs, or a .glb; empty: the program's own
-        std::string backend = "auto";  // who draws: "gpu", "cpu", or the GPU where there is one
+        std::string room;              // folder of room photographs, or a .glb; empty: the built-in room
+        std::string backend = "auto";  // renderer: "gpu", "cpu" or "auto" (the GPU if there is one)
     } screen;
     struct {
         std::vector<std::string> order{"ko", "en", "ar"};  // codes; also the order of the attract screen
-        std::string first = "en";                          // what a visit begins in
-        std::string folder;                                // with CODE.tsv files that replace or add
+        std::string first = "en";                          // language at the start of a visit
+        std::string folder;                                // of CODE.tsv files that replace or add languages
         bool own_digits = true;                            // Arabic-Indic digits in Arabic
     } languages;
     struct {
         double idle_s = 45.0;
         double countdown_s = 20.0;
-        bool forgiving = true;        // the clay bears more than real clay
-        bool shows_by_itself = true;  // a step of the lesson of which nothing comes
+        bool forgiving = true;        // the clay tolerates more than real clay
+        bool shows_by_itself = true;  // demonstrate a step when the visitor makes no progress
     } visit;
     struct {
-        double rate_hz = 0.0;  // 0: 4000 where real time is granted, else 1000
-        bool devices = true;   // look for hands on USB
+        double rate_hz = 0.0;  // 0: 4000 with real-time scheduling, else 1000
+        bool devices = true;   // look for haptic devices on USB
     } haptics;
     struct {
         std::string folder = "out";
-        int most_pots = 500;           // the oldest leave first
-        double least_free_mb = 200.0;  // of disk; below it nothing is saved
-        bool wall = false;             // of the day's pots: visitors may put theirs there
+        int most_pots = 500;           // beyond this the oldest are deleted
+        double least_free_mb = 200.0;  // disk space; below this no pot is saved
+        bool wall = false;             // visitors may put their pot on the wall of the day
     } gallery;
     struct {
         int volume = 3;               // 0 to 5
-        bool remember_staff = false;  // what the staff set counts after a restart too
+        bool remember_staff = false;  // staff settings survive a restart
         bool captions = false;
-        std::string spoken_folder;  // of LANGUAGE/KEY.wav; empty: spoken/ beside the program's other assets
+        std::string spoken_folder;  // holds LANGUAGE/KEY.wav; empty: spoken/ in the program's assets
     } sound;
     struct {
         int opens_min = 0;  // minutes after midnight; equal: always open
         int closes_min = 0;
     } hours;
     struct {
-        std::string listen;             // address or interface of the server; empty: none runs
+        std::string listen;             // address or interface of the server; empty: no server
         int port = 8080;                //
-        std::string public_url;         // where phones find the outbox; empty: the server
+        std::string public_url;         // address of the outbox for phones; empty: the server's own
         std::string outbox = "outbox";  // the folder that is served
-        std::string wifi_name;          // to join before; empty: no first code
+        std::string wifi_name;          // network that phones join first; empty: no Wi-Fi code
         std::string wifi_key;           //
-        int hours = 0;                  // that a pot stays; 0: until the end of the day
-        int most_pots = 200;            // the oldest leave first
-        double most_mb = 1000.0;        // of all together
-        std::string counter;            // the pipe that says how often pages are opened; empty: none
+        int hours = 0;                  // how long a pot stays; 0: until the end of the day
+        int most_pots = 200;            // beyond this the oldest are deleted
+        double most_mb = 1000.0;        // total size of the outbox
+        std::string counter;            // pipe that reports opened pages; empty: do not count
     } sharing;
     struct {
         std::string pin;  // 4 to 8 digits; empty: no staff panel
         bool locked = false;
         double closes_after_s = 120.0;  // without a touch
-        std::string name = "wheel";     // of this unit, for the staff panel
+        std::string name = "wheel";     // name of this unit on the staff panel
         std::string statistics_folder;  // empty: statistics/ in the gallery
-        std::string metrics_folder;     // of node_exporter's text files; empty: none
+        std::string metrics_folder;     // for node_exporter's text files; empty: write none
     } staff;
 };
 
-// `file` is what messages call it. Bad input: file, line, what is allowed, what was found; also for a key
-// that is not known and for what is not TOML.
+// `file` is the name in messages. Invalid TOML, an unknown key or a bad value is an error that names the
+// file, the line, the allowed values and the value found.
 Result<Config> read_config(std::string_view toml, const std::string& file);
 
-// Whether the museum is open then; hours may pass midnight.
+// Whether the museum is open at that minute; opening hours may pass midnight.
 [[nodiscard]] bool is_open(const Config& config, int minute_of_day);
 
-// Whether pots are taken home by phone at all: over the server, or over the house's own.
+// Whether visitors can take pots home by phone, over this program's server or the museum's own.
 [[nodiscard]] bool shares(const Config& config);
 
-// The rules of the flow that follow from it. language_count and default_language are the program's to set:
-// they depend on what could be read.
+// The rules of the flow that follow from the configuration. The caller sets language_count and
+// default_language, which depend on the languages that could be read.
 [[nodiscard]] Rules rules_of(const Config& config);
 
 }  // namespace onggi::kiosk

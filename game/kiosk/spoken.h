@@ -1,5 +1,5 @@
-// What is spoken where a visit stands: a key of the languages' tables, whose words are spoken as their third
-// column says them. A recording of it is LANGUAGE/KEY.wav. Any thread; pure.
+// Chooses the spoken line for the state of a visit. The line is a key of the language tables, whose third
+// column is the spoken text; its recording is LANGUAGE/KEY.wav. Any thread; pure.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace onggi::kiosk {
 
-// Empty: nothing. It changes when there is something new to say, and with nothing else.
+// Returns the key of the line, or an empty one for silence. It changes only when a new line is due.
 [[nodiscard]] std::string_view spoken_key(const State& state);
 
 }  // namespace onggi::kiosk

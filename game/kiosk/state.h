@@ -1,5 +1,5 @@
-// Where a visit stands: one plain value that a step takes on. Main thread, or a test's. Times are seconds of
-// the caller's monotonic clock.
+// The state of a visit: one plain value, which step() advances. Main thread, or a test's thread. Times are
+// seconds of the caller's monotonic clock.
 #pragma once
 
 #include <optional>
@@ -10,29 +10,29 @@ namespace onggi::kiosk {
 enum class Screen {
     kAttract,  // the wheel throws by itself
     kChoose,
-    kJarStart,  // of a jar that is made of two bowls: what lies ahead
+    kJarStart,  // introduces a jar that is made of two bowls
     kThrow,
-    kJoin,  // the one bowl upside down on the other
+    kJoin,  // one bowl upside down on the other bowl
     kFailure,
-    kFiring,  // cut off, dried; and after the decorating fired
-    kTrim,    // its foot is turned, upside down
+    kFiring,  // the pot is cut off and dried, and fired after decorating
+    kTrim,    // the visitor trims the foot of the upturned pot
     kDecorate,
     kGlaze,
     kYourPot,
     kKeep,
-    kResume,  // a pot was left on the wheel when the power went
+    kResume,  // a power cut left a pot on the wheel
     kFault,
 };
 constexpr int kScreenCount = 14;
 
-// What lies over the screen.
+// The overlay on the screen.
 enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff, kCard };
 constexpr int kPanelCount = 6;
 
 // The card of the pot that stands beside the visitor's own.
 constexpr int kRelativesCard = -1;
 
-// What a visitor may set, and what every visit begins with again.
+// The visitor's settings. Every visit starts from the defaults.
 struct Comfort {
     int language = 0;   // place in Rules::languages
     int text_size = 1;  // 1 to 3: 100, 150, 200 %
@@ -40,7 +40,7 @@ struct Comfort {
     bool reach = false;
     bool left_hand = false;
     bool still = false;   // less motion
-    bool forces = false;  // arrows, numbers and plots of what the hand feels
+    bool forces = false;  // show the forces on the hand as arrows, numbers and plots
 
     friend bool operator==(const Comfort&, const Comfort&) = default;
 };
@@ -55,15 +55,15 @@ constexpr int kMostTextSize = 3;
 enum class Warning { kNone, kThin, kWet, kFast };
 enum class FiringStage { kCut, kDry, kFire };
 
-// What the hand holds while it throws.
+// The tool in the hand while throwing.
 enum class Held { kHand, kRib, kSponge, kWire };
 constexpr int kHeldCount = 4;
 
-// A jar of two bowls, rim to rim: where its maker stands. Each step but two is a throwing of its own.
+// The steps of making a jar from two bowls, joined rim to rim. All but kAside and kJoin throw clay.
 enum class JarStep {
     kNone,
     kFirstBowl,
-    kAside,  // the first one is put aside, and new clay is there
+    kAside,  // the first bowl is set aside, and new clay is on the wheel
     kSecondBowl,
     kJoin,
     kSeam,
@@ -73,42 +73,42 @@ constexpr int kMostShiftMm = 8;
 
 struct JarMaking {
     JarStep step = JarStep::kNone;
-    bool touched = false;     // the clay, in this step
-    bool is_bowl = false;     // what is on the wheel could be a half of the jar
-    bool waits = false;       // until the bowls are where they were asked to be
-    bool is_low = false;      // asked for, before it was a bowl
-    bool rims_apart = false;  // too far to be joined
-    int rims_mm = 0;          // how far, once they are held together
-    int shift_mm = 0;         // of the upper bowl, to the right as it is seen
+    bool touched = false;     // the clay was touched in this step
+    bool is_bowl = false;     // the clay on the wheel could be a half of the jar
+    bool waits = false;       // a request to move or join the bowls is pending
+    bool is_low = false;      // the visitor pressed "done" before the clay was a bowl
+    bool rims_apart = false;  // the rims are too far apart to be joined
+    int rims_mm = 0;          // distance between the rims, once the bowls are held together
+    int shift_mm = 0;         // shift of the upper bowl, to the right on the screen
 
     friend bool operator==(const JarMaking&, const JarMaking&) = default;
 };
 
 struct Throwing {
-    std::optional<int> target{};  // place among the heritage pots; none: as you like
-    int steps_done = 0;           // of kTeachingSteps; all: "now make it yours"
-    bool looks_in = false;        // the camera, from above into the pot
-    // What the wheel's own hands are showing on the visitor's clay: a step, counted from 0, or behind the
-    // last what is held.
+    std::optional<int> target{};  // index of the heritage pot; empty: free throwing
+    int steps_done = 0;           // 0 to kTeachingSteps; at the end: "now make it yours"
+    bool looks_in = false;        // the camera looks from above into the pot
+    // The step that the wheel's own hands demonstrate on the visitor's clay, counted from 0. kTeachingSteps
+    // stands for the tool that is held.
     std::optional<int> shown{};
     Held held = Held::kHand;
-    bool tray = false;  // the ledge shows what there is to hold
+    bool tray = false;  // the ledge shows the tray of tools
     int tool = 2;
     int water = 3;
     int speed = 3;
     Warning warning = Warning::kNone;
-    Warning collapse = Warning::kNone;  // what it gave way by, on the failure screen
+    Warning collapse = Warning::kNone;  // cause of the collapse, for the failure screen
     JarMaking jar{};
 
     friend bool operator==(const Throwing&, const Throwing&) = default;
 };
 
-// Turning the foot of a pot that has dried to leather hard.
+// Trimming the foot of a leather-hard pot.
 struct Trimming {
-    bool is_offered = false;  // there is clay to spare at the foot
-    bool touched = false;     // something was taken
+    bool is_offered = false;  // the foot has spare clay
+    bool touched = false;     // some clay was taken off
     int taken_g = 0;
-    int loop = 2;  // how large it is, of kMostTool
+    int loop = 2;  // size of the loop tool, 1 to kMostTool
 
     friend bool operator==(const Trimming&, const Trimming&) = default;
 };
@@ -119,46 +119,46 @@ constexpr int kInlayTool = 3;
 constexpr int kMotifs = 6;  // crane, cloud, chrysanthemum, fish, grass, wave
 constexpr int kMostBrush = 3;
 
-// How the visitor decorates.
+// The settings of the decorating screen.
 struct Decorating {
     int tool = 0;
     int motif = 0;
-    bool all_round = false;  // a motif, again and again
-    bool black = false;      // what an inlay is filled with; else white
+    bool all_round = false;  // repeat the motif around the pot
+    bool black = false;      // colour of the inlay slip; else white
     int brush = 2;
-    bool turns = true;        // the pot, slowly; else it rests
-    bool touched = false;     // something was drawn since this tool was taken up
-    bool brush_down = false;  // by keys, which lift it again
-    int strokes = 0;          // that can be undone
+    bool turns = true;        // the pot turns slowly; else it rests
+    bool touched = false;     // something was drawn with this tool
+    bool brush_down = false;  // put down and lifted by keys
+    int strokes = 0;          // number of strokes that can be undone
 
     friend bool operator==(const Decorating&, const Decorating&) = default;
 };
 
-// When the clay was worked, and by whom: what decides about hints and shows.
+// When the visitor or the wheel's own hands last worked the clay; hints and demonstrations depend on it.
 struct Pace {
-    double progress_s = 0.0;                // when the pot last came on, or the visit began
-    double touched_s = -1.0;                // when the clay was last touched; before the first touch: -1
-    bool held = false;                      // a hand works the clay now
-    double shown_s = 0.0;                   // since when the wheel's own hands show a step
-    double show_over_s = 0.0;               // when they were last done
-    std::optional<int> seen_since_touch{};  // the step last shown, until the visitor touches the clay
+    double progress_s = 0.0;                // time of the pot's last progress, or the start of the visit
+    double touched_s = -1.0;                // time of the last touch; -1 before the first touch
+    bool held = false;                      // the visitor's hand works the clay now
+    double shown_s = 0.0;                   // start of the current demonstration
+    double show_over_s = 0.0;               // end of the last demonstration
+    std::optional<int> seen_since_touch{};  // last demonstrated step; reset by a touch
 };
 
-// The way home by phone, of a pot that is kept.
+// The state of sharing a kept pot with a phone.
 enum class Phone {
-    kNone,     // not in this house
-    kPacking,  // its files are being made
-    kWifi,     // first the museum's Wi-Fi
+    kNone,     // sharing is off
+    kPacking,  // the pot's files are being written
+    kWifi,     // shows the code of the museum's Wi-Fi
     kReady,
-    kResting,  // nothing to be had: no room on the disk, no network
-    kOver,     // its time is over, or the staff took it back
+    kResting,  // sharing failed: disk full, no network
+    kOver,     // the code expired, or the staff withdrew it
 };
 
 struct Keeping {
     enum class Outcome { kSaving, kKept, kFull } outcome = Outcome::kSaving;
-    int number = 0;  // of the day, when kept
+    int number = 0;  // the pot's number of the day, once kept
     Phone phone = Phone::kNone;
-    bool on_wall = false;  // of the day, for all to see, because its maker wants it there
+    bool on_wall = false;  // on the wall of the day, by the visitor's choice
 
     friend bool operator==(const Keeping&, const Keeping&) = default;
 };
@@ -167,71 +167,71 @@ struct Keeping {
 enum class StaffPage { kHealth, kVisits, kGallery, kDevices };
 constexpr int kStaffPageCount = 4;
 
-// What the staff is asked again before it is done.
+// The staff actions that ask for confirmation.
 enum class StaffQuestion { kNone, kDeletePot, kWithdrawCode, kRestart, kQuit };
 
 struct Staff {
-    int typed = 0;  // digits of the PIN, so far
+    int typed = 0;  // value of the PIN digits typed so far
     int digits = 0;
     bool was_wrong = false;
     StaffPage page = StaffPage::kHealth;
-    int first_line = 0;  // of the page's list, at the top
+    int first_line = 0;  // top line of the page's list
     StaffQuestion question = StaffQuestion::kNone;
-    int pot = 0;  // that is asked about
+    int pot = 0;  // the pot in question
 
     friend bool operator==(const Staff&, const Staff&) = default;
 };
 
-// Whoever tries one PIN after another waits longer each time. It outlives panels and visits.
+// Delays repeated wrong PINs, longer each time. It outlives panels and visits.
 struct PinGuard {
-    int wrong = 0;         // in a row
-    double opens_s = 0.0;  // no digit counts before
+    int wrong = 0;         // wrong PINs in a row
+    double opens_s = 0.0;  // digits are ignored before this time
 };
 
-// What a screen shows of a visit: no times, so that two that are equal look the same.
+// The part of the state that screens show. It holds no times, so equal values look the same.
 struct ScreenState {
     Screen screen = Screen::kAttract;
     Panel panel = Panel::kNone;
     Comfort comfort;
     Throwing throwing;
-    int shelf_first = 0;  // choose: the first that is seen of the shelf; 0 is throwing as one likes
-    int card = 0;         // of which pot of the shelf, or kRelativesCard
+    int shelf_first = 0;  // choose: first visible card of the shelf; 0 is free throwing
+    int card = 0;         // index of the pot on the shelf, or kRelativesCard
     FiringStage firing = FiringStage::kCut;
     Trimming trimming;
     Decorating decorating;
     int glaze = 0;
     Keeping keeping;
     Staff staff;
-    // What every visit begins with: the configuration's, or what the staff set.
+    // The language at the start of every visit, from the configuration or the staff.
     int house_language = 0;
-    bool device_lost = false;  // a hand control that was there is gone
-    bool force_rests = false;  // a fault took the hand's force away; the clay goes on
+    bool device_lost = false;  // a haptic device was disconnected
+    bool force_rests = false;  // a fault stopped the device's force; throwing goes on
 
     friend bool operator==(const ScreenState&, const ScreenState&) = default;
 };
 
 struct State : ScreenState {
-    double screen_s = 0.0;  // since when
+    double screen_s = 0.0;  // start of this screen
     double panel_s = 0.0;
-    double input_s = 0.0;       // any device, any sign of life
-    double visit_s = 0.0;       // when this visit began
-    double staff_used_s = 0.0;  // the panel locks again a while after
+    double input_s = 0.0;       // last input of any device
+    double visit_s = 0.0;       // start of this visit
+    double staff_used_s = 0.0;  // last use of the staff panel, for its timeout
     Pace pace;
     PinGuard pin_guard;
-    int house_volume = 3;              // as house_language
-    bool interrupted_session = false;  // an interrupted pot waits to be offered
-    int interrupted_jar = 0;           // what kind, as interrupted_jar() says; 0: a pot like any other
+    int house_volume = 3;              // as house_language, for the volume
+    bool interrupted_session = false;  // an interrupted pot can be resumed
+    int interrupted_jar = 0;           // packed by interrupted_jar(); 0: an ordinary pot
 };
 
-// One word for each, for titles and logs: "attract".
+// A one-word name for titles and logs: "attract".
 [[nodiscard]] std::string_view name_of(Screen screen);
-[[nodiscard]] std::string_view name_of(Panel panel);  // empty for none
+[[nodiscard]] std::string_view name_of(Panel panel);  // empty for kNone
 [[nodiscard]] std::string_view name_of(Held held);    // empty for the bare hand
 
 // Whole seconds left of the idle panel's countdown.
 [[nodiscard]] int seconds_left(const State& state, double countdown_s, double now_s);
 
-// Whole seconds until a digit of the PIN counts again; 0: it does.
+// Whole seconds until a PIN digit is accepted again; 0: now.
 [[nodiscard]] int pin_seconds_left(const State& state, double now_s);
 
 }  // namespace onggi::kiosk

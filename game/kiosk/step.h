@@ -1,5 +1,5 @@
-// The experience as a pure function: state x event x time -> state and effects. It draws nothing, saves
-// nothing and reads no clock; screens show the state, and the program carries the effects out. Any thread.
+// A visit as a pure function: state x event x time -> state and effects. It draws nothing, saves nothing and
+// reads no clock; screens show the state, and the program carries out the effects. Any thread.
 #pragma once
 
 #include <vector>
@@ -8,24 +8,24 @@
 
 namespace onggi::kiosk {
 
-// Everything that can be pressed, on all screens together.
+// The buttons of all screens.
 enum class Button {
     kNone,
     kBegin,
     kLanguages,
     kBack,
     kFree,
-    kTarget,       // value: which
-    kShelfBefore,  // value: the first to be seen, as of the next
+    kTarget,       // value: index of the pot
+    kShelfBefore,  // value: first visible card; also of kShelfNext
     kShelfNext,
-    kCard,  // value: which pot's
+    kCard,  // value: index of the pot
     kCardClose,
-    kCardThrow,  // that pot
+    kCardThrow,  // throw the pot of the card
     kNewClay,
     kUndo,
-    kTools,     // the tray of what there is to hold, and away again
+    kTools,     // opens or closes the tray of tools
     kTakeTool,  // value: a Held
-    kCut,       // the rim, where the wire is
+    kCut,       // cuts the rim at the wire
     kToolLess,
     kToolMore,
     kWaterLess,
@@ -35,35 +35,35 @@ enum class Button {
     kDone,
     kHandUp,
     kHandDown,
-    kHandLeft,  // on the screen, as are all four
+    kHandLeft,  // all four are directions on the screen
     kHandRight,
-    kLookIn,  // from above into the pot, or from the front again
+    kLookIn,  // toggles the camera: from above into the pot, or from the front
     kJoinBowls,
-    kShowMe,  // the wheel's own hands do the next step
-    kMyTurn,  // and leave off
+    kShowMe,  // the wheel's own hands demonstrate the next step
+    kMyTurn,  // ends the demonstration
     kBeforeCollapse,
     kKeepSlump,
     kSkip,
-    kDrawingTool,  // value: which
-    kMotif,        // value: which
-    kAllRound,     // or just one
+    kDrawingTool,  // value: index of the tool
+    kMotif,        // value: index of the motif
+    kAllRound,     // toggles repeating the motif
     kSlip,         // value: 1 black, 0 white
-    kTurning,      // or resting
-    kPutBrush,     // where the keys have led it, or lift it
-    kClear,        // all that was drawn
-    kGlaze,        // value: which
+    kTurning,      // toggles turning
+    kPutBrush,     // puts the brush down where the keys moved it, or lifts it
+    kClear,        // removes all strokes
+    kGlaze,        // value: index of the glaze
     kTakeGlaze,
-    kDecorateAgain,  // the glaze comes off once more
+    kDecorateAgain,  // takes the glaze off again
     kOtherGlaze,
     kKeep,
-    kOnWifi,      // the phone has joined the museum's: the pot's code now
-    kShareAgain,  // another try, or another code
-    kOnWall,      // the pot goes to the wall of the day, or comes down again
+    kOnWifi,      // the phone has joined the museum's Wi-Fi; next is the pot's code
+    kShareAgain,  // retries, or asks for another code
+    kOnWall,      // puts the pot on the wall of the day, or takes it down
     kAnother,
     kFinish,
     kStay,
     kFresh,
-    kLanguage,  // value: which
+    kLanguage,  // value: index of the language
     kTextLess,
     kTextMore,
     kSoundLess,
@@ -78,13 +78,13 @@ enum class Button {
     kDigit,  // value: 0 to 9
     kPinClear,
     kPinClose,
-    kStaffPage,  // value: which
-    kStaffList,  // value: the line at the top
+    kStaffPage,  // value: a StaffPage
+    kStaffList,  // value: top line
     kStaffForceTest,
     kStaffSoundTest,
-    kStaffLanguage,      // the next of them, for every visit to begin with
-    kStaffDeletePot,     // value: which of the gallery's; asks first, as do the next three
-    kStaffWithdrawCode,  // value: of which pot
+    kStaffLanguage,      // makes the next language the default of every visit
+    kStaffDeletePot,     // value: pot of the gallery; asks first, as do the next three
+    kStaffWithdrawCode,  // value: the pot
     kStaffRestart,
     kStaffQuit,
     kStaffYes,
@@ -96,39 +96,40 @@ constexpr int kButtonCount = static_cast<int>(Button::kStaffClose) + 1;
 struct Event {
     enum class Kind {
         kTick,         // time has passed
-        kInput,        // a sign of life: pointer, key, or a device's motion above its noise; value 1: a key
+        kInput,        // pointer, key, or a device's motion above its noise; value 1: a key
         kPressed,      // a button, on its release
-        kClayTouched,  // by the visitor's hand; value 1: by a touch that goes on
-        kHeld,         // value: 1 while the visitor's hand is at work, 0 when it lets go
-        kShowOver,     // the wheel's hands have shown what they were to show
-        kSoaked,       // the sponge has gone round once: the hands are a dot less wet
-        kProgress,     // value: teaching steps that the pot shows as done
+        kClayTouched,  // by the visitor's hand; value 1: the touch continues
+        kHeld,         // value: 1 while the visitor's hand works the clay, 0 on release
+        kShowOver,     // the demonstration has ended
+        kSoaked,       // one turn of the sponge: water drops by one dot
+        kProgress,     // value: number of teaching steps done, judged by the pot
         kWarned,       // value: a Warning
-        kCollapsed,    // value: the Warning that says what it gave way by
-        kBowl,         // value: 1 where what is on the wheel could be a half of a jar
-        kSetAside,     // the first bowl is
-        kRims,         // value: mm between those of the two bowls, which can be joined
-        kRimsApart,    // they cannot
+        kCollapsed,    // value: the Warning that names the cause
+        kBowl,         // value: 1 if the clay on the wheel could be a half of a jar
+        kSetAside,     // the first bowl has been set aside
+        kRims,         // value: mm between the rims of the two bowls, close enough to join
+        kRimsApart,    // the rims are too far apart to join
         kJoined,       // the two bowls are one jar, on the wheel
-        kJarStays,     // what was asked of the bowls cannot be done
-        kUndoneAll,    // nothing is left to take back of what is on the wheel
-        kThickFoot,    // the pot that was cut off has clay to spare there
-        kTrimmed,      // value: g that the trimmer has taken
+        kJarStays,     // the requested move of the bowls failed
+        kUndoneAll,    // the clay on the wheel has nothing left to undo
+        kThickFoot,    // the pot that was cut off has spare clay at its foot
+        kTrimmed,      // value: grams trimmed off so far
         kDrawn,        // value: strokes on the pot
         kSaved,        // value: the pot's number of the day
-        kShared,       // value: the pot's number of the day; its code may be shown
-        kShareFailed,  // value: likewise
-        kShareOver,    // value: likewise; there was a code
-        kSaveFailed,   // disk full, no permission: the visitor hears of the shelf, the staff of the reason
+        kShared,       // value: the pot's number of the day; its code is ready
+        kShareFailed,  // value: the pot's number of the day
+        kShareOver,    // value: the pot's number of the day; its code has ended
+        kSaveFailed,   // disk full, no permission: the visitor sees "shelf full", the staff the reason
         kDeviceLost,
         kDeviceBack,
-        kForceRests,  // by a fault of the hand's; throwing goes on
+        kForceRests,  // a device fault stopped the force; throwing goes on
         kForceBack,
         kFault,  // the wheel cannot work
         kFaultOver,
-        kInterruptedSession,  // an interrupted pot was found; value: interrupted_jar(), else 0
-        kCornerHeld,          // the staff's corner, for long enough
-        kCloseAsked,          // the window's cross, Esc, Alt+F4, Ctrl+Q, Ctrl+C
+        kInterruptedSession,  // an interrupted pot was found; value: interrupted_jar(), or 0 for an ordinary
+                              // pot
+        kCornerHeld,          // the staff's corner was held long enough
+        kCloseAsked,          // the window's close button, Esc, Alt+F4, Ctrl+Q, Ctrl+C
     };
     Kind kind = Kind::kTick;
     Button button = Button::kNone;
@@ -139,7 +140,7 @@ struct Event {
 constexpr int kEventKindCount = static_cast<int>(Event::Kind::kCloseAsked) + 1;
 
 constexpr int kInterruptedJarStride = kJarSteps + 1;
-// Of an interrupted visit that made a jar of two bowls after that target, and was at that step.
+// Packs the jar step and the target of an interrupted visit into one value.
 [[nodiscard]] constexpr int interrupted_jar(JarStep step, int target) {
     return kInterruptedJarStride * (target + 1) + static_cast<int>(step);
 }
@@ -147,40 +148,40 @@ constexpr int kInterruptedJarStride = kJarSteps + 1;
 struct Effect {
     enum class Kind {
         kStartDemo,       // attract: recorded sessions on the wheel
-        kFreshClay,       // value: target, -1 none
-        kUndo,            // the last touch
-        kBeforeCollapse,  // back to 2 s before it began
-        kBeginJar,        // value: after which target; the lump that was put on is its first bowl's
-        kSetAside,        // the bowl on the wheel, for the other one to come
-        kTakeBack,        // value: 1 or 2, the bowl that is on the wheel again, as it was
-        kHoldTogether,    // the bowl that was set aside over the one on the wheel
-        kJoinBowls,       // value: mm that the upper one stands to the right
+        kFreshClay,       // value: target, or -1 for free throwing
+        kUndo,            // undoes the last touch
+        kBeforeCollapse,  // back to 2 s before the collapse began
+        kBeginJar,        // value: target; the lump on the wheel becomes the first bowl
+        kSetAside,        // sets the first bowl aside and makes room for the second
+        kTakeBack,        // value: 1 or 2, the bowl to put back on the wheel as it was
+        kHoldTogether,    // holds the first bowl over the bowl on the wheel
+        kJoinBowls,       // value: mm by which the upper bowl is shifted to the right
         kMoveHand,        // value: a Button of the pad
-        kCutRim,          // by the wire, where it is
-        kShowStep,        // value: the step, from 0, that the wheel's hands do on the visitor's clay
-        kStopShow,        // they leave the clay as it is
-        kCutOff,          // the clay is a pot now: stop the wheel, take its profile
-        kBeginTrim,       // the pot has dried to leather hard, and stands on its rim
-        kEndTrim,         // value: 1 where something was taken, and it is another pot that goes on
-        kBeginDrawing,    // the pot has dried, and waits on the wheel
+        kCutRim,          // cuts the rim at the wire
+        kShowStep,        // value: step from 0 that the wheel's hands demonstrate on the visitor's clay
+        kStopShow,        // ends the demonstration; the clay stays as it is
+        kCutOff,          // turns the clay into a pot: stop the wheel, take its profile
+        kBeginTrim,       // the pot is leather hard and stands on its rim
+        kEndTrim,         // value: 1 if clay was taken off, so the pot has a new profile
+        kBeginDrawing,    // the pot has dried and is on the wheel
         kUndoStroke,
         kClearDrawing,
-        kPutBrush,    // value: 1 down, 0 up; a motif is placed
-        kEndDrawing,  // what was drawn is fired
+        kPutBrush,    // value: 1 down, 0 up; places a motif
+        kEndDrawing,  // the decoration is final and goes to the kiln
         kSave,
-        kShare,      // the kept pot, for phones
-        kWall,       // the kept pot; value: 1 to the wall of the day, 0 down again
-        kForgetPot,  // nothing of the visit before may be seen again
+        kShare,      // offers the kept pot to phones
+        kWall,       // value: 1 puts the kept pot on the wall of the day, 0 takes it down
+        kForgetPot,  // drops everything of the last visit
         kResume,
         kDropInterrupted,
         kSetVolume,   // value: 0 to kMostVolume
-        kKeepHouse,   // the house's volume and language, as the staff has set them: for all visits to come
-        kVisitBegan,  // for the measured use: no person, only counts
+        kKeepHouse,   // stores the default volume and language that the staff set
+        kVisitBegan,  // for the statistics, which hold only counts
         kVisitEnded,  // value: dwell in whole seconds
         kTestForce,
         kTestSound,
-        kDeletePot,     // value: which
-        kWithdrawCode,  // value: of which pot; phones find it no more
+        kDeletePot,     // value: the pot
+        kWithdrawCode,  // value: the pot; phones no longer find it
         kRestart,
         kQuit,
     };
@@ -190,17 +191,17 @@ struct Effect {
     friend bool operator==(const Effect&, const Effect&) = default;
 };
 
-// What the configuration says about the flow.
+// The parameters of the flow, from the configuration.
 struct Rules {
     double idle_s = 45.0;
     double countdown_s = 20.0;
-    double hint_again_s = 6.0;     // without progress, until the cue for the next move shows again
-    bool shows_by_itself = true;   // the wheel's hands show a step that nobody asked to see
-    double show_after_s = 8.0;     // without progress, until they do
-    double show_rests_s = 3.0;     // after a touch or a show, until they begin another
-    double show_most_s = 6.0;      // of one show
-    double aside_s = 6.0;          // that a bowl which was set aside is looked at
-    double jar_idle_s = 180.0;     // instead of idle_s, over a jar of two bowls
+    double hint_again_s = 6.0;     // time without progress until the cue for the next move returns
+    bool shows_by_itself = true;   // the wheel's hands demonstrate a step unasked
+    double show_after_s = 8.0;     // time without progress until they do
+    double show_rests_s = 3.0;     // pause after a touch or a demonstration
+    double show_most_s = 6.0;      // longest demonstration
+    double aside_s = 6.0;          // how long the bowl that was set aside is shown
+    double jar_idle_s = 180.0;     // replaces idle_s while a jar of two bowls is made
     double staff_locks_s = 120.0;  // without a touch
     double cut_s = 1.2;
     double dry_s = 1.4;
@@ -210,25 +211,25 @@ struct Rules {
     int default_volume = 3;
     int default_text_size = 1;
     int target_count = 4;
-    std::vector<int> jars{};  // those of them that are made of two bowls
+    std::vector<int> jars{};  // the targets that are made of two bowls
     int glaze_count = 6;
-    bool shares = false;    // a kept pot can be taken home by phone
-    bool has_wifi = false;  // after joining the museum's Wi-Fi
-    bool has_wall = false;  // of the day's pots
-    bool locked = false;    // no way out but the staff's
-    int pin = 0;            // of pin_digits; 0 digits: the staff panel cannot be opened
+    bool shares = false;    // kept pots can go home by phone
+    bool has_wifi = false;  // the phone must join the museum's Wi-Fi first
+    bool has_wall = false;  // there is a wall of the day
+    bool locked = false;    // only the staff can quit
+    int pin = 0;            // of pin_digits; with 0 digits the staff panel cannot be opened
     int pin_digits = 0;
-    int pin_tries = 3;         // wrong ones in a row; from the last of them on each wrong one costs a wait
-    double pin_wait_s = 15.0;  // doubles with each
+    int pin_tries = 3;         // from this many wrong PINs in a row on, each costs a wait
+    double pin_wait_s = 15.0;  // doubles with each wrong PIN
     double pin_longest_wait_s = 900.0;
 };
 
 std::vector<Effect> step(State& state, const Event& event, double now_s, const Rules& rules);
 
-// What a kiosk starts with: attract, everything at its default. Its first effect is kStartDemo.
+// The state of a kiosk at its start: attract, everything at its default. Its first effect is kStartDemo.
 [[nodiscard]] State first_state(const Rules& rules, double now_s);
 
-// Whether the cue for the next move is to be seen now.
+// Whether the cue for the next move is visible now.
 [[nodiscard]] bool shows_hint(const State& state, double now_s, const Rules& rules);
 
 }  // namespace onggi::kiosk

@@ -1,4 +1,4 @@
-// Decorating: after the pot has dried and before it is fired. Who leaves it plain loses nothing.
+// Decorating: after the pot has dried and before it is fired. Decorating is optional.
 #include <algorithm>
 
 #include "game/kiosk/step_screens.h"
@@ -18,7 +18,7 @@ void take_tool(Turn& turn, int tool) {
     turn.state.decorating.touched = false;
 }
 
-// A motif is there at once; a brush stays down until it is lifted.
+// A motif is placed at once; a brush stays down until it is lifted.
 void put_brush(Turn& turn) {
     Decorating& decorating = turn.state.decorating;
     if (decorating.brush_down) return lift_brush(turn);

@@ -1,5 +1,6 @@
-// A jar of two bowls, as moon jars are made: a bowl, set aside; another; the one upside down on the other;
-// the seam. What was done can be taken back across the steps, and clay that gives way costs one bowl at most.
+// A jar of two bowls, made as moon jars are: throw a bowl and set it aside, throw the second bowl, put the
+// first upside down on the second, close the seam. Undo works across the steps, and a collapse loses one bowl
+// at most.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +13,7 @@ bool is_with_clay(const State& state) {
     return state.screen == Screen::kThrow || state.screen == Screen::kJoin;
 }
 
-// On the clay that is there.
+// Goes to the step with the clay that is on the wheel.
 void go_to(Turn& turn, JarStep step) {
     JarMaking& jar = turn.state.throwing.jar;
     jar = {.step = step, .is_bowl = jar.is_bowl};
@@ -21,7 +22,7 @@ void go_to(Turn& turn, JarStep step) {
     turn.show(step == JarStep::kJoin ? Screen::kJoin : Screen::kThrow);
 }
 
-// Water, speed and size stay as they were chosen.
+// Water, speed and tool size stay as the visitor chose them.
 void put_on_bowl_clay(Turn& turn, JarStep step) {
     Throwing& throwing = turn.state.throwing;
     throwing = {.target = throwing.target,
@@ -46,9 +47,9 @@ void end_bowl(Turn& turn, Effect::Kind with) {
     if (jar.is_bowl) ask(turn, with);
 }
 
-// To where it was before the step that is at its beginning.
+// Undoes the start of the current step: the clay is as it was at the end of the step before.
 void step_back(Turn& turn) {
-    turn.state.throwing.jar.is_bowl = false;  // until it is there
+    turn.state.throwing.jar.is_bowl = false;  // until the bowl is back on the wheel
     switch (turn.state.throwing.jar.step) {
         case JarStep::kAside:
         case JarStep::kSecondBowl:

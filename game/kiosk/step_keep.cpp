@@ -1,4 +1,4 @@
-// A pot that is kept, and its way home by phone.
+// Keeping a pot and sharing it with a phone.
 #include "game/kiosk/step_screens.h"
 
 namespace onggi::kiosk {
@@ -24,7 +24,7 @@ void take_saved(Turn& turn, const Event& event) {
 
 void take_shared(Turn& turn, const Event& event) {
     Keeping& keeping = turn.state.keeping;
-    // Of the pot before, whose visitor did not wait for it.
+    // Ignore answers about an earlier pot, whose visitor did not wait.
     if (turn.state.screen != Screen::kKeep || keeping.number != event.value) return;
     const bool waits = keeping.phone == Phone::kPacking;
     const bool has_code = keeping.phone == Phone::kWifi || keeping.phone == Phone::kReady;
@@ -39,7 +39,7 @@ void take_shared(Turn& turn, const Event& event) {
 
 void press_keep(Turn& turn, const Event& event) {
     Keeping& keeping = turn.state.keeping;
-    if (keeping.outcome == Keeping::Outcome::kSaving) return;  // not before it is known to be safe
+    if (keeping.outcome == Keeping::Outcome::kSaving) return;  // wait until the pot is saved
     if (event.button == Button::kAnother) {
         turn.show(Screen::kChoose);
     } else if (event.button == Button::kFinish) {

@@ -8,7 +8,7 @@ namespace {
 void finish_throwing(Turn& turn) {
     turn.state.throwing.held = Held::kHand;
     turn.state.throwing.tray = false;
-    // What is cut off before the bowls are joined is a pot like any other.
+    // A bowl that is cut off before the bowls are joined is an ordinary pot.
     if (turn.state.throwing.jar.step != JarStep::kSeam) turn.state.throwing.jar = {};
     turn.add(Effect::Kind::kCutOff);
     turn.state.firing = FiringStage::kCut;
@@ -51,7 +51,7 @@ void press_choose(Turn& turn, const Event& event) {
 void press_throw(Turn& turn, const Event& event) {
     Throwing& throwing = turn.state.throwing;
     const bool was_shown = throwing.shown.has_value();
-    if (event.button != Button::kLookIn) end_show(turn);  // who does something has taken over
+    if (event.button != Button::kLookIn) end_show(turn);  // any other button ends the demonstration
     if (press_jar(turn, event)) return;
     switch (event.button) {
         case Button::kShowMe:
@@ -76,7 +76,7 @@ void press_throw(Turn& turn, const Event& event) {
             break;
         case Button::kCut:
             if (throwing.held != Held::kWire) break;
-            throwing.held = Held::kHand;  // one pull, and it is laid back
+            throwing.held = Held::kHand;  // the wire is laid back after one cut
             turn.add(Effect::Kind::kCutRim);
             break;
         case Button::kToolLess:
@@ -108,7 +108,7 @@ void press_failure(Turn& turn, const Event& event) {
         Throwing& throwing = turn.state.throwing;
         throwing.warning = Warning::kNone;
         turn.state.pace.progress_s = turn.now_s;
-        // What was spun apart would be again before anybody had slowed the wheel.
+        // At the same speed the clay would fly apart again before the visitor could slow the wheel.
         if (throwing.collapse == Warning::kFast)
             throwing.speed = std::max(1, std::min(throwing.speed - 1, Throwing().speed));
         turn.add(Effect::Kind::kBeforeCollapse);
@@ -276,7 +276,7 @@ void press_language(Turn& turn, const Event& event) {
         case Button::kComfortDone:
         case Button::kLanguages:
             turn.lay_over(Panel::kNone);
-            // A visit has begun with the choice of a language.
+            // Choosing a language begins a visit.
             if (turn.state.screen == Screen::kAttract) {
                 turn.begin_visit(turn.state.interrupted_session ? Screen::kResume : Screen::kChoose);
             }

@@ -1,5 +1,5 @@
-// The wheel's own hands show a step of the lesson on the visitor's clay: asked for, or by themselves when
-// nothing comes of what the visitor does.
+// The wheel's own hands demonstrate a step of the lesson on the visitor's clay: on request, or unasked when
+// the visitor makes no progress.
 #include <algorithm>
 
 #include "game/kiosk/step_screens.h"
@@ -34,7 +34,8 @@ void pass_show(Turn& turn) {
         if (now_s - pace.shown_s >= rules.show_most_s) end_show(turn);
         return;
     }
-    // Once a step, and never under a visitor's hand or with a tool in it, or on clay that hardly stands.
+    // Once per step, and never while the visitor's hand is on the clay or holds a tool, or when the clay is
+    // near collapse.
     const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !pace.held &&
                            throwing.held == Held::kHand && !throwing.tray &&
                            pace.seen_since_touch != throwing.steps_done && throwing.warning == Warning::kNone;

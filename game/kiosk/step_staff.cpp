@@ -1,4 +1,4 @@
-// What the staff's keypad and panel do.
+// The staff's keypad and panel.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -34,7 +34,7 @@ void press_pin(Turn& turn, const Event& event) {
     turn.lay_over(Panel::kStaff);
 }
 
-// The staff has been asked, and this is what they say.
+// Handles the answer to a confirmation.
 void answer_question(Turn& turn, bool yes) {
     Staff& staff = turn.state.staff;
     const StaffQuestion question = std::exchange(staff.question, StaffQuestion::kNone);

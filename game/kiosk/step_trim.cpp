@@ -1,5 +1,4 @@
-// Turning the foot: once the pot is leather hard, where it has clay to spare there. Who leaves it as it is
-// loses nothing.
+// Trimming the foot of a leather-hard pot, offered if the foot has spare clay. Trimming is optional.
 #include <algorithm>
 
 #include "game/kiosk/step_screens.h"

@@ -1,5 +1,5 @@
-// What the screens say, in each language: tables a museum can edit and add to. Any thread; not changed once
-// read.
+// The texts of the screens in each language: tables that a museum can edit and extend. Any thread; constant
+// once read.
 #pragma once
 
 #include <map>
@@ -19,22 +19,22 @@ struct Words {
 
 class Language {
   public:
-    // A table of lines `key TAB text TAB spoken TAB check`, the first of them exactly these names. An empty
-    // spoken cell means "as written"; check is empty or `native`. `code` is BCP 47 ("ko"); `file` is what
-    // messages call it. Bad input names file and line: a missing or extra cell, an unknown or repeated key,
-    // an empty text, bytes that are not UTF-8, a placeholder other than the first language's.
+    // Reads a table of lines `key TAB text TAB spoken TAB check`; the first line holds exactly these names.
+    // An empty spoken cell means "as written"; check is empty or `native`. `code` is BCP 47 ("ko"); `file` is
+    // the name in messages. Errors name file and line: a missing or extra cell, an unknown or repeated key,
+    // an empty text, invalid UTF-8, a placeholder that differs from the first language's.
     static Result<Language> read(std::string_view table, std::string code, const std::string& file,
                                  const Language* pattern = nullptr);
 
-    // The key's words; where this language lacks them, those of the pattern. A key that neither has is shown
-    // as itself, so that nobody faces an empty button.
+    // Returns the key's text, or the pattern's where this language lacks it. A key that neither has is
+    // returned itself, so that no button is empty.
     [[nodiscard]] const std::string& shown(std::string_view key) const;
     [[nodiscard]] const std::string& spoken(std::string_view key) const;
-    // With every {n} replaced.
+    // Replaces every {n} in the text by `n`.
     [[nodiscard]] std::string shown(std::string_view key, std::string_view n) const;
 
     [[nodiscard]] bool has(std::string_view key) const { return words_.contains(key); }
-    [[nodiscard]] std::vector<std::string> missing_keys() const;  // that the pattern has
+    [[nodiscard]] std::vector<std::string> missing_keys() const;  // present in the pattern only
     [[nodiscard]] const std::string& code() const { return code_; }
     [[nodiscard]] bool right_to_left() const;
     // In any country: "ar", "ar-EG".
@@ -51,10 +51,10 @@ class Language {
     std::map<std::string, Words, std::less<>> fallback_;
 };
 
-// A number with the digits and the decimal point that Arabic has of its own: U+0660 on, and U+066B.
+// Writes a number with Arabic-Indic digits (from U+0660) and the Arabic decimal separator (U+066B).
 [[nodiscard]] std::string in_arabic_digits(std::string_view number);
 
-// The three that are built in, English first: `en`, `ko`, `ar`. They come from assets/languages.
+// The three built-in languages, English first: `en`, `ko`, `ar`. They come from assets/languages.
 [[nodiscard]] const std::vector<Language>& built_in_languages();
 
 }  // namespace onggi::kiosk
