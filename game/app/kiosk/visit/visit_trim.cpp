@@ -10,7 +10,7 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kHoversMm = 14.0;
+constexpr double kTrimmerHoversMm = 14.0;
 
 }  // namespace
 
@@ -51,8 +51,8 @@ void VisitTrim::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) 
     const bool works = snapshot.tool.pressing && snapshot.result.grip.grip != clay::studio::Grip::kNone;
     const dvec2 at_mm = turned(works ? snapshot.result.grip.hand_mm : dvec2(snapshot.tool.position_mm));
     const double side = std::signbit(at_mm.x) ? -1.0 : 1.0;
-    const double gone_mm = snapshot.tool.radius_mm + (works ? 0.0 : kHoversMm);
-    shown.hand.position_mm = {at_mm.x + side * gone_mm, std::max(at_mm.y, kHoversMm), 0.0};
+    const double gone_mm = snapshot.tool.radius_mm + (works ? 0.0 : kTrimmerHoversMm);
+    shown.hand.position_mm = {at_mm.x + side * gone_mm, std::max(at_mm.y, kTrimmerHoversMm), 0.0};
     shown.hand.tool = clay::StudioTool::kTrimmer;
     shown.hand.side = clay::studio::Side::kOut;
     shown.hand.shown = shown.hand.guided = true;
