@@ -83,8 +83,9 @@ def scaled(places, scale):
     return tuple(int(place * scale) for place in places)
 
 
-def wait_for_another(picture, part, before, most_s=2.0):
+def wait_for_another(picture, part, before):
     """Seconds until the part differs."""
+    most_s = 2.0 * watched_kiosk.SLOWNESS
     began = time.monotonic()
     while picture.part(*part) == before:
         if time.monotonic() - began > most_s:
@@ -122,6 +123,7 @@ def main():
     words.add_argument("program", nargs="?", default="build/release/onggi")
     wish = words.parse_args()
     scale = int(wish.size.split("x")[0]) / 1280
+    settled_s = 3.0 * watched_kiosk.SLOWNESS
     with (tempfile.TemporaryDirectory() as folder, watched_kiosk.display(wish.size, folder) as display,
           watched_kiosk.kiosk(os.path.abspath(wish.program), folder, display,
                               ["--size", wish.size, "--backend", wish.backend, *(["--full-screen"] if wish.caged else [])],
@@ -130,9 +132,9 @@ def main():
         if wish.caged:
             pointer.fill_screen(*map(int, wish.size.split("x")))
         for place in (BEGIN, FREE):
-            time.sleep(3.0)
+            time.sleep(settled_s)
             pointer.click(scaled(place, scale))
-        time.sleep(3.0)
+        time.sleep(settled_s)
         waits_s = measure(pointer, picture, scale, wish.moves)
     at = lambda fraction: 1000.0 * waits_s[min(int(fraction * len(waits_s)), len(waits_s) - 1)]
     print(f"{wish.backend} {wish.size}{' caged' if wish.caged else ''}: {at(0.0):.1f} ms at the least, {at(0.5):.1f} in the middle, {at(0.99):.1f} at p99; "

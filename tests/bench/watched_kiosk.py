@@ -8,6 +8,9 @@ import socket
 import subprocess
 import tempfile
 
+# How many times slower this machine is than the reference machine (tests/support/patience.h).
+SLOWNESS = max(1.0, float(os.environ.get("ONGGI_SLOWNESS", "1")))
+
 
 def memory_mb(process, account, name):
     """A size that /proc says of a process, MB of a million bytes: of smaps_rollup Anonymous, which is what the program has
@@ -48,7 +51,7 @@ def kiosk(program, folder, display_name, words=(), starter=(), **environment):
     place = tempfile.mktemp(dir=folder)
     manager = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
     manager.bind(place)
-    manager.settimeout(120)
+    manager.settimeout(120 * SLOWNESS)
     environment = dict(os.environ, DISPLAY=display_name, NOTIFY_SOCKET=place, **environment)
     environment.pop("WAYLAND_DISPLAY", None)
     os.chmod(place, 0o777)

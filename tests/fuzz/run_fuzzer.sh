@@ -6,8 +6,9 @@ program=$1 corpus=$2 work=$3 max_bytes=$4
 seconds=${ONGGI_FUZZ_SECONDS:-5}
 mkdir -p "$work/found"
 
-# One input may take 10 s and 1 GiB at most: what is slow or greedy is a fault as well.
-bounds=(-timeout=10 -rss_limit_mb=1024 -artifact_prefix="$work/")
+# One input may take 10 s, longer on a slow machine, and 1 GiB at most: what is slow or greedy is a fault as well.
+longest_s=$(awk -v slowness="${ONGGI_SLOWNESS:-1}" 'BEGIN { print int(10 * slowness + 0.5) }')
+bounds=(-timeout="$longest_s" -rss_limit_mb=1024 -artifact_prefix="$work/")
 trap '[ $? = 0 ] || echo "the input is in $work"' EXIT
 "$program" "${bounds[@]}" "$corpus"/*
 "$program" "${bounds[@]}" -max_len="$max_bytes" -max_total_time="$seconds" -print_final_stats=1 \

@@ -5,6 +5,7 @@
 BUILD is a configured build folder, for example build/release. The tree must be clean: a mutation is written into it,
 built, tried, and taken back. Some ten minutes. Exit 0 when every mutation was noticed, 1 when one was not.
 """
+import os
 import pathlib
 import subprocess
 import sys

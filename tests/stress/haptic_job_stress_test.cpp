@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "engine/haptics/simulated_device.h"
 #include "engine/jobs/clock.h"
 #include "game/haptic/job.h"
+#include "tests/support/patience.h"
 
 namespace onggi::haptic {
 namespace {
@@ -44,7 +46,8 @@ TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndComma
             ASSERT_EQ(hash.state_hash, result.state_hash);
         }
     };
-    const std::int64_t bound_ns = jobs::MonotonicClock::now_ns() + 60'000'000'000;
+    const std::int64_t bound_ns = jobs::MonotonicClock::now_ns() +
+                                  std::chrono::nanoseconds(test::scaled(std::chrono::minutes(1))).count();
     while (!job.finished() && jobs::MonotonicClock::now_ns() < bound_ns) {
         ++frame;
         const double along = static_cast<double>(frame % 100) / 100.0;

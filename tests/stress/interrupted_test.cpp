@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -19,6 +20,7 @@
 #include "game/app/system/start_log.h"
 #include "tests/stress/interrupted_wheel.h"
 #include "tests/stress/whole.h"
+#include "tests/support/patience.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
@@ -51,8 +53,9 @@ std::string live_and_die(const fs::path& gallery, unsigned seed, std::size_t aft
     ::close(ends[1]);
     std::string all;
     std::array<char, 256> bytes{};
+    const auto patience_ms = static_cast<int>(test::scaled(std::chrono::minutes(1)).count());
     for (pollfd said{.fd = ends[0], .events = POLLIN, .revents = 0};
-         all.size() < after_words && ::poll(&said, 1, 60'000) == 1;) {
+         all.size() < after_words && ::poll(&said, 1, patience_ms) == 1;) {
         const ssize_t size = ::read(ends[0], bytes.data(), bytes.size());
         if (size <= 0) break;
         all.append(bytes.data(), static_cast<std::size_t>(size));
@@ -81,11 +84,12 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
     int resumed = 0;
     haptic::HapticParameters parameters;
     parameters.set_rate_hz(stress::kRateHz);
-    // Which moments come depends on how fast the machine is: a long run goes on until those that come seldom
-    // have come.
+    // Which moments come depends on how fast the machine is: a run goes on until a visit was picked up, and a
+    // long one until those that come seldom have come.
     constexpr int kEnoughThrewOn = 10;
     const bool is_long = kills() >= 100;
     const auto lacks_moments = [&](int kill) {
+        if (picked_up == 0) return kill < 5 * kills();
         return is_long && threw_on <= kEnoughThrewOn && kill < 2 * kills();
     };
     int kill = 0;

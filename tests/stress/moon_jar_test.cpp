@@ -67,8 +67,6 @@ class MoonJar : public testing::Test {
         ASSERT_TRUE(kiosk.until([&] { return step() == then; }, kSlowly));
     }
     [[nodiscard]] fs::path state_folder() const { return app::state_folder(folder.path()); }
-    // It is synced once a second.
-    void wait_for_journal() { kiosk.passes(2.5); }
     void expect_bowl(double height_mm) {
         ASSERT_TRUE(kiosk.until([&] { return kiosk.state().throwing.jar.is_bowl; }, kSlowly));
         EXPECT_TRUE(kiosk.until([&] { return std::fabs(kiosk.snapshot().pot->height_mm - height_mm) < 0.5; },
@@ -140,7 +138,7 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     throw_bowl();
     kiosk.look("2-bowl");
     const double first_mm = kiosk.snapshot().pot->height_mm;
-    wait_for_journal();
+    ASSERT_TRUE(kiosk.journal_catches_up());
     AfterPowerCut(folder.path()).expect_goes_on(JarStep::kFirstBowl, first_mm);
     end_bowl(JarStep::kAside);
     kiosk.look("3-aside");
@@ -148,7 +146,7 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     throw_bowl();
     kiosk.look("4-second");
     const double second_mm = kiosk.snapshot().pot->height_mm;
-    wait_for_journal();
+    ASSERT_TRUE(kiosk.journal_catches_up());
     AfterPowerCut(folder.path()).expect_goes_on(JarStep::kSecondBowl, second_mm);
     end_bowl(JarStep::kJoin);
     ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kJoin; }, kSlowly));
@@ -165,7 +163,7 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     kiosk.stroke({{95.0, middle_mm - 8.0}, {84.0, middle_mm}, {84.0, middle_mm + 8.0}}, 2.0, chance);
     kiosk.look("7-smoothed");
     const double jar_mm = kiosk.snapshot().pot->height_mm;
-    wait_for_journal();
+    ASSERT_TRUE(kiosk.journal_catches_up());
     AfterPowerCut(folder.path()).expect_goes_on(JarStep::kSeam, jar_mm);
     const auto note = files::read_file(state_folder() / "jar.json", 4096);
     ASSERT_TRUE(note) << note.error().message;

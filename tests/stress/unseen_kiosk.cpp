@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "game/app/kiosk/presentation/demonstrations.h"
 #include "game/app/kiosk/staff/kiosk_staff.h"
 #include "game/app/kiosk/visit/kiosk_visit.h"
+#include "tests/support/patience.h"
 
 namespace onggi::app {
 
@@ -129,11 +131,35 @@ std::optional<dvec2> UnseenKiosk::seen(const dvec3& place_mm) const {
 }
 
 void UnseenKiosk::passes(double seconds) {
-    constexpr double kFrameS = 0.01;
-    for (double since_s = 0.0; since_s < seconds; since_s += kFrameS) {
-        std::this_thread::sleep_for(std::chrono::duration<double>(kFrameS));
-        frame(kFrameS);
+    constexpr std::chrono::milliseconds kFrame(10);
+    const auto end = std::chrono::steady_clock::now() + test::scaled(parts_->patience);
+    std::uint64_t last_tick = snapshot().tick;
+    for (double since_s = 0.0; since_s < seconds;) {
+        ASSERT_LT(std::chrono::steady_clock::now(), end) << "the wheel stands still";
+        std::this_thread::sleep_for(kFrame);
+        const std::uint64_t tick = snapshot().tick;
+        // A fresh lump begins at 0.
+        const double dt_s = static_cast<double>(tick - (tick < last_tick ? 0 : last_tick)) / kRateHz;
+        last_tick = tick;
+        frame(dt_s);
+        since_s += dt_s;
     }
+}
+
+bool UnseenKiosk::journal_catches_up() {
+    const auto journal_bytes = [folder = state_folder(parts_->settings.config.gallery.folder)] {
+        std::uintmax_t bytes = 0;
+        for (const auto& file : std::filesystem::directory_iterator(folder)) {
+            std::error_code gone;
+            const std::uintmax_t size = file.file_size(gone);
+            if (!gone && file.path().filename().string().starts_with("visit-")) bytes += size;
+        }
+        return bytes;
+    };
+    // The first block may have begun before.
+    for (int block = 0; block < 2; ++block)
+        if (!until([&, before = journal_bytes()] { return journal_bytes() > before; }, kSlowly)) return false;
+    return true;
 }
 
 void UnseenKiosk::look(const std::string& name, double rest_s) {
@@ -150,7 +176,7 @@ asset::Image UnseenKiosk::picture() {
 }
 
 bool UnseenKiosk::until(const std::function<bool()>& condition, double dt_s) {
-    const auto end = std::chrono::steady_clock::now() + parts_->patience;
+    const auto end = std::chrono::steady_clock::now() + test::scaled(parts_->patience);
     while (!condition() && std::chrono::steady_clock::now() < end) {
         frame(dt_s);
         std::this_thread::sleep_for(parts_->frame_pause);

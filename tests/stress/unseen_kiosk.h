@@ -37,7 +37,7 @@ struct UnseenOptions {
     bool plain = true;                                             // no photographed room
     bool shows = false;                                            // recordings, while nobody is there
     bool real_time = false;                                        // 60 frames a second, no more
-    std::chrono::minutes patience{1};                              // of until(), by the clock on the wall
+    std::chrono::minutes patience{1};  // of until(), by the clock on the wall, on the reference machine
     int most_pots = 100'000;
     int width = kWidth;
     int height = kHeight;
@@ -64,8 +64,11 @@ class UnseenKiosk {
     [[nodiscard]] double now_s() const;
     // Where the last frame shows a place on the wheel, px.
     [[nodiscard]] std::optional<dvec2> seen(const dvec3& place_mm) const;
-    // So long by the clock on the wall, which the wheel and the keeper go by.
+    // So long by the wheel's own clock, which falls behind the clock on the wall where the machine is slow.
     void passes(double seconds);
+    // Until what has happened so far is in the journal on the disk, which gets a block a second. False: it
+    // did not get there.
+    [[nodiscard]] bool journal_catches_up();
     // Where somebody asked to see it: a picture of that name, of a scene at rest after so long.
     void look(const std::string& name, double rest_s = 1.2);
     // The last frame.

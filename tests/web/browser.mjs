@@ -5,6 +5,12 @@ const BROWSER = process.env.ONGGI_CHROMIUM ?? '/usr/bin/chromium';
 const FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
     '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run'];
 
+/** How many times slower this machine is than the reference machine (tests/support/patience.h). */
+export const SLOWNESS = Math.max(1, Number(process.env.ONGGI_SLOWNESS ?? 1));
+
+/** Playwright's own half minute for whatever a page waits for. */
+export const PATIENCE = { timeout: 30_000 * SLOWNESS };
+
 export const launch = () => chromium.launch({ executablePath: BROWSER, args: FLAGS });
 
 export function expect(holds, words) {

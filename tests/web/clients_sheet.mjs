@@ -6,7 +6,7 @@ import { mkdir, copyFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
-import { launch } from './browser.mjs';
+import { launch, SLOWNESS } from './browser.mjs';
 import { serve } from './server.mjs';
 
 const run = promisify(execFile);
@@ -32,7 +32,7 @@ for (const { pot, thrown, glaze, how } of POTS) {
     await copyFile(path.join(made, 'pot.png'), picture(pot, 'kiosk'));
     await run('blender', ['--background', '--factory-startup', '--python-exit-code', '1', '--python', path.join(here, 'blender_picture.py'), '--',
         path.join(folder, `${pot}.glb`), picture(pot, 'blender'), String(SIDE_PX)]);
-    await run('xvfb-run', ['-a', 'f3d', path.join(folder, `${pot}.glb`), `--output=${picture(pot, 'f3d')}`,
+    await run('bash', [path.join(here, '../window/with_display.sh'), path.join(folder, 'display'), 'f3d', path.join(folder, `${pot}.glb`), `--output=${picture(pot, 'f3d')}`,
         `--resolution=${SIDE_PX},${SIDE_PX}`, '--camera-elevation-angle=16', '--tone-mapping', '--ssao',
         '--bg-color=0.125,0.14,0.157']);
 }
@@ -44,7 +44,7 @@ try {
     for (const { pot } of POTS) {
         for (const [client, address] of [['three', 'index.html?room=1&'], ['model-viewer', 'model-viewer.html?']]) {
             await page.goto(`${server.origin}/${address}pot=${pot}`);
-            await page.waitForFunction('window.found !== undefined', null, { timeout: 60_000 });
+            await page.waitForFunction('window.found !== undefined', null, { timeout: 60_000 * SLOWNESS });
             await page.waitForTimeout(1500);  // model-viewer fades in
             await page.screenshot({ path: picture(pot, client) });
         }

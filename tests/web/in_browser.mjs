@@ -1,11 +1,11 @@
 // Opens each hand-made pot of a folder in a page of Debian's Chromium: what the clients' checks share.
 import { mkdir } from 'node:fs/promises';
 import path from 'node:path';
-import { expect, launch, watch } from './browser.mjs';
+import { expect, launch, SLOWNESS, watch } from './browser.mjs';
 import { checkAll, listPots } from './pots.mjs';
 import { serve } from './server.mjs';
 
-const PAGE_TIMEOUT_MS = 60_000;
+const PAGE_TIMEOUT_MS = 60_000 * SLOWNESS;
 /** How far a size that arrives may be off: a tenth of a millimetre. */
 export const SIZE_TOLERANCE_M = 0.0001;
 
@@ -30,7 +30,7 @@ export async function checkInBrowser({ address, suffix = '', check }) {
             const page = await browser.newPage({ viewport: { width: 480, height: 480 } });
             const complaints = watch(page, server.origin);
             try {
-                await page.goto(`${server.origin}/${address}${pot.name}`);
+                await page.goto(`${server.origin}/${address}${pot.name}`, { timeout: PAGE_TIMEOUT_MS });
                 await page.waitForFunction('window.found !== undefined', null, { timeout: PAGE_TIMEOUT_MS });
                 const found = await page.evaluate('window.found');
                 if (screenshots) await page.screenshot({ path: path.join(screenshots, `${pot.name}${suffix}.png`) });

@@ -1,7 +1,7 @@
 // node phone_page.mjs ONGGI MAKE_OUTBOX SESSION FOLDER: opens a shared pot's page as phones and tablets do, in every
 // language, by the kiosk's server and by a plain web server, and looks at what arrived. Writes screenshots.
 import { mkdir, readFile, rm } from 'node:fs/promises';
-import { expect, launch, watch } from './browser.mjs';
+import { expect, launch, PATIENCE, SLOWNESS, watch } from './browser.mjs';
 import { difference, makePictures } from './phone_pictures.mjs';
 import { makeOutbox, serveByOnggi, serveByPython } from './phone_programs.mjs';
 import { tooFaint, tooSmall, unnamed } from './phone_rules.mjs';
@@ -9,7 +9,7 @@ import { tooFaint, tooSmall, unnamed } from './phone_rules.mjs';
 const LANGUAGES = { en: 'ltr', ko: 'ltr', ar: 'rtl' };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 const TABLET = { viewport: { width: 820, height: 1180 }, hasTouch: true };
-const DRAWN = { timeout: 20_000 };
+const DRAWN = { timeout: 20_000 * SLOWNESS };
 
 const [onggi, makeProgram, session, folder] = process.argv.slice(2);
 if (!folder) {
@@ -17,8 +17,21 @@ if (!folder) {
     process.exit(2);
 }
 
+/** A phone's own world, which is patient on a slow machine. */
+async function contextOf(browser, options) {
+    const context = await browser.newContext(options);
+    context.setDefaultTimeout(PATIENCE.timeout);
+    return context;
+}
+
+/** Looks until it is so. */
+async function comesTrue(condition, words) {
+    const end = Date.now() + PATIENCE.timeout;
+    while (!await condition()) expect(Date.now() < end, words);
+}
+
 async function opened(browser, origin, path, options, ready = '.drawn') {
-    const context = await browser.newContext({ acceptDownloads: true, ...options });
+    const context = await contextOf(browser, { acceptDownloads: true, ...options });
     const page = await context.newPage();
     const complaints = watch(page, origin);
     await page.goto(origin + path);
@@ -30,18 +43,20 @@ async function opened(browser, origin, path, options, ready = '.drawn') {
 async function expectDrawnPot(browser, page) {
     const stage = page.locator('#stage');
     await page.locator('#stage button').click();
-    await page.waitForTimeout(100);
-    const still = await stage.screenshot();
-    await page.waitForTimeout(200);
-    expect(await difference(browser, still, await stage.screenshot()) === 0, 'expected the button to stop the pot');
+    let still = await stage.screenshot();
+    await comesTrue(async () => {
+        const before = still;
+        await page.waitForTimeout(200 * SLOWNESS);
+        still = await stage.screenshot();
+        return await difference(browser, before, still) === 0;
+    }, 'expected the button to stop the pot');
     const box = await stage.boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     await page.mouse.down();
     await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2, { steps: 4 });
     await page.mouse.up();
-    await page.waitForTimeout(150);
-    const turned = await difference(browser, still, await stage.screenshot());
-    expect(turned > 0.01, `expected a finger to turn the pot, found ${turned} of the picture changed`);
+    await comesTrue(async () => await difference(browser, still, await stage.screenshot()) > 0.01,
+        'expected a finger to turn the pot, found it as it was');
     await page.locator('#stage canvas').press('ArrowLeft');
     await page.waitForTimeout(150);
     await page.evaluate(() => { document.querySelector('#stage canvas').style.visibility = 'hidden'; });
@@ -126,7 +141,7 @@ CHECKS['less motion, and saved data'] = async ({ browser, own, code }) => {
     await calm.page.waitForTimeout(400);
     expect(await difference(browser, before, await stage.screenshot()) === 0, 'expected a pot at rest');
     await calm.context.close();
-    const context = await browser.newContext(PHONE);
+    const context = await contextOf(browser, PHONE);
     await context.addInitScript(() => Object.defineProperty(navigator, 'connection', { value: { saveData: true } }));
     const page = await context.newPage();
     const asked = [];
@@ -140,7 +155,7 @@ CHECKS['less motion, and saved data'] = async ({ browser, own, code }) => {
 };
 
 CHECKS['a code that is none'] = async ({ browser, own, code }) => {
-    const context = await browser.newContext({ ...PHONE, locale: 'ko-KR' });
+    const context = await contextOf(browser, { ...PHONE, locale: 'ko-KR' });
     const page = await context.newPage();
     const answer = await page.goto(`${own.origin}/7777ZZZZ/`);
     expect(answer.status() === 404, `found ${answer.status()}`);
@@ -184,19 +199,26 @@ CHECKS['augmented reality'] = async ({ browser, own }) => {
 };
 
 CHECKS['a slow phone'] = async ({ browser, own, code }) => {
-    const context = await browser.newContext(PHONE);
-    const page = await context.newPage();
-    const link = await context.newCDPSession(page);
-    // What Chromium calls fast 3G: 1.6 Mbit/s, 150 ms there and back.
-    await link.send('Network.emulateNetworkConditions', { offline: false, latency: 150, downloadThroughput: 200_000, uploadThroughput: 90_000 });
-    await page.goto(`${own.origin}/${code}/`, { waitUntil: 'load' });
-    const times = await page.evaluate(() => performance.getEntriesByType('resource').concat(performance.getEntriesByType('navigation'))
-        .map((entry) => [new URL(entry.name).pathname.split('/').pop() || 'page', Math.round(entry.responseEnd), entry.transferSize]));
-    const poster = times.find(([name]) => name === 'poster.webp');
+    // What a phone shares its machine with makes it slower, and never faster: one load in so many that is quick is enough.
+    const LOADS = 5;
+    const most_ms = 1000 * SLOWNESS;
+    let times;
+    let poster;
+    for (let load = 0; load < LOADS && !(poster?.[1] < most_ms); load += 1) {
+        const context = await contextOf(browser, PHONE);
+        const page = await context.newPage();
+        const link = await context.newCDPSession(page);
+        // What Chromium calls fast 3G: 1.6 Mbit/s, 150 ms there and back.
+        await link.send('Network.emulateNetworkConditions', { offline: false, latency: 150, downloadThroughput: 200_000, uploadThroughput: 90_000 });
+        await page.goto(`${own.origin}/${code}/`, { waitUntil: 'load' });
+        times = await page.evaluate(() => performance.getEntriesByType('resource').concat(performance.getEntriesByType('navigation'))
+            .map((entry) => [new URL(entry.name).pathname.split('/').pop() || 'page', Math.round(entry.responseEnd), entry.transferSize]));
+        poster = times.find(([name]) => name === 'poster.webp');
+        await context.close();
+    }
     const bytes = times.reduce((sum, entry) => sum + entry[2], 0);
-    expect(poster[1] < 1000, `expected the poster within a second, found ${poster[1]} ms`);
+    expect(poster[1] < most_ms, `expected the poster within ${most_ms} ms, found ${poster[1]} ms`);
     expect(bytes < 150_000, `expected less than 150 kB, found ${bytes}`);
-    await context.close();
     return `poster after ${poster[1]} ms, ${bytes} bytes until loaded: ${times.map(([name, , size]) => `${name} ${size}`).join(', ')}`;
 };
 

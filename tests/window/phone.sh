@@ -1,7 +1,13 @@
 # A kept pot goes home by phone: whoever visits points one at the screen, and puts the pot on the wall of the day. Sourced by
-# visitor.sh, never run. A server of the kiosk's own listens here; what it needs besides is zbarimg, which reads the code off
-# the screen, and curl.
-phones=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+# visitor.sh, never run. A server of the kiosk's own listens here, at a port that the system gives it; what it needs besides
+# is zbarimg, which reads the code off the screen, and curl.
+mkdir -p outbox
+"$onggi" share --outbox outbox --listen 127.0.0.1 --port 0 >share.log 2>&1 &
+phone_server=$!
+trap 'kill $kiosk $server $phone_server 2>/dev/null || true' EXIT
+phones=
+is_served() { phones=$(sed -n 's/.*, port \([0-9]*\).*/\1/p' share.log) && [ -n "$phones" ]; }
+kiosk=$phone_server wait_for "a server for phones" is_served
 cat >>kiosk.toml <<TOML
 wall = true
 [sharing]
@@ -9,10 +15,6 @@ listen = "127.0.0.1"
 port = $phones
 outbox = "outbox"
 TOML
-mkdir -p outbox
-"$onggi" share --outbox outbox --listen 127.0.0.1 --port "$phones" >share.log 2>&1 &
-phone_server=$!
-trap 'kill $kiosk $server $phone_server 2>/dev/null || true' EXIT
 
 address=
 reads_the_code() {
