@@ -44,10 +44,10 @@ void DressedMarks::dress_changed(const decoration::Texture& texture, const decor
                                  const finish::MarkPalette& palette, const decoration::TextureRect& changed) {
     if (changed.empty()) return;
     marks_.texels.resize(texture.texels.size());
-    // Of what was there and of what comes, so that no two that differ have the same.
+    // Hashes the old revision and the new content, so that different marks have different revisions.
     StateHash revision;
     revision.add_word(marks_.revision);
-    // Relief leans its neighbours too.
+    // Relief also changes the lean of its neighbours.
     const int from = std::max(changed.row - 1, 0);
     const int end = std::min(changed.row + changed.row_count + 1, kRows);
     const int count = std::min(changed.column_count + 2, kColumns);

@@ -1,5 +1,5 @@
-// What was drawn on a pot as the wheel's picture shows it: the texture dressed in the colours of a glaze or
-// of raw clay. Any one thread.
+// The marks on a pot for the wheel's picture: the texture in the colours of a glaze or of raw clay. Any one
+// thread.
 #pragma once
 
 #include "engine/render/scene.h"
@@ -10,10 +10,10 @@ namespace onggi::look {
 
 class DressedMarks {
   public:
-    // The whole of it.
+    // Converts the whole texture.
     void dress(const decoration::Texture& texture, const decoration::Wall& wall,
                const finish::MarkPalette& palette);
-    // What has changed of it since, in the same colours.
+    // Converts the changed part, in the same colours.
     void dress_changed(const decoration::Texture& texture, const decoration::Wall& wall,
                        const finish::MarkPalette& palette, const decoration::TextureRect& changed);
 
@@ -23,8 +23,7 @@ class DressedMarks {
     render::LatheMarks marks_;
 };
 
-// A glazed lathe, as far as it can wear that glaze: one colour, and the glass over it. body: as its clay
-// wears its own.
+// A lathe material close to that glaze: one colour, and the glass over it. body: the material of its clay.
 [[nodiscard]] render::LatheMaterial glazed_lathe(const render::LatheMaterial& body,
                                                  const finish::GlazeMaterial& glaze);
 

@@ -32,7 +32,7 @@ vec4 texel(int x, int y) {
     return value;
 }
 
-// The texture of streaks, read as a sampler does, between four texels.
+// Samples the streak texture with bilinear filtering.
 vec4 streaks(float across, float up) {
     const float x = across * render::kDetailTexels - 0.5F;
     const float y = up * render::kDetailTexels - 0.5F;
@@ -44,8 +44,8 @@ vec4 streaks(float across, float up) {
                     glm::mix(texel(left, top + 1), texel(left + 1, top + 1), right_fraction), low_fraction);
 }
 
-constexpr int kSubRows = 4;      // of a row of texels: streaks are finer than those
-constexpr float kSpanMm = 0.8F;  // of the outline that one normal stands for
+constexpr int kSubRows = 4;      // samples per row of texels: streaks are finer than a row
+constexpr float kSpanMm = 0.8F;  // length of the outline averaged for a normal
 
 asset::Image blank() {
     asset::Image image{.width = kPictureSide, .height = kPictureSide, .rgba = {}};
@@ -57,7 +57,7 @@ void add_texel(asset::Image& image, const vec3& value) {
     image.rgba.insert(image.rgba.end(), {eight_bits(value.x), eight_bits(value.y), eight_bits(value.z), 255});
 }
 
-// The outline as the wheel's picture has it, with its every groove.
+// The outline as in the wheel's picture, with every groove.
 class Outline {
   public:
     Outline(const exporter::PotRings& rings, double shrinkage) {
@@ -77,7 +77,7 @@ class Outline {
     }
 
     [[nodiscard]] float height_mm() const { return profile_.height_mm; }
-    // Where along the outline a place of a wall lies.
+    // Arc length along the outline of a place on a wall.
     [[nodiscard]] float along(float y_mm, bool inside) const {
         const auto first =
             profile_.points.begin() + static_cast<std::ptrdiff_t>(inside ? profile_.inside : 0);
@@ -97,7 +97,7 @@ class Outline {
     [[nodiscard]] vec2 normal(float along_mm) const {
         return render::profile_normal(profile_, along_mm, kSpanMm);
     }
-    // The sky that a place sees, as the wheel's picture darkens it.
+    // Ambient visibility, with the darkening of the wheel's picture.
     [[nodiscard]] float open(const exporter::PictureRow& at) const {
         const vec2 normal(at.normal);
         const auto radius_mm = static_cast<float>(at.radius_mm);
@@ -118,12 +118,12 @@ class Outline {
     render::LatheSamples samples_;
 };
 
-// The rows between two of which each place of the pictures lies.
+// Interpolates between the rows of the pictures.
 class RowsByPlace {
   public:
     explicit RowsByPlace(const std::vector<exporter::PictureRow>& rows) : rows_(rows) {}
 
-    // v never falls from one call to the next.
+    // Precondition: v does not decrease from call to call.
     exporter::PictureRow at(double v) {
         while (next_ + 1 < rows_.size() && rows_[next_].v < v)
             ++next_;
@@ -144,7 +144,7 @@ class RowsByPlace {
     std::size_t next_ = 0;
 };
 
-// A row of the pictures, where it is and what its normal is measured against.
+// A row of the pictures: its place, and the fine normal relative to the mesh's.
 struct BakedRow {
     exporter::PictureRow row;
     float along_mm = 0.0F;
@@ -156,20 +156,20 @@ BakedRow baked_row(const exporter::PictureRow& row, const Outline& outline) {
     BakedRow baked{.row = row,
                    .along_mm = outline.along(static_cast<float>(row.y_mm), row.inside),
                    .fine = vec2(row.normal)};
-    // Floors, feet and flat rims are as the mesh has them.
+    // Floors, feet and flat rims use the mesh's normal.
     if (std::fabs(row.normal.y) > kMostUpright) {
         baked.along_mm += static_cast<float>(row.inside ? -row.radius_mm : row.radius_mm);
         return baked;
     }
     const vec2 own = outline.normal(baked.along_mm);
-    // Beside a ledge the outline's mean turns into it; the mesh has that edge itself.
+    // Beside a ledge the outline's averaged normal turns into the ledge; the mesh has that edge itself.
     constexpr float kSameFace = 0.94F;
     if (glm::dot(own, baked.fine) > kSameFace) baked.fine = own;
     return baked;
 }
 
-// Of the mesh's normal (r, y) at that row, the way of the pictures' up and the normal itself; the outline's
-// leans from it.
+// Tangent space at that row from the mesh's normal (r, y) and the pictures' up direction. The result is the
+// outline's normal, with the leans added.
 vec3 in_tangent_space(const BakedRow& baked, float lean_round, float lean_up) {
     const vec2 out(baked.row.normal);
     const vec2 along(-out.y, out.x);
@@ -183,7 +183,7 @@ PotLook lathe_look(const render::LatheMaterial& material, std::string name) {
     const vec3 wet = render::wet_albedo(material.albedo, 1.0F);
     const float wet_roughness = render::wet_roughness(material);
     const auto at = [=](const Place& place) {
-        // Two of the texture go round, clockwise seen from above, as lathe.vert lays them.
+        // Two copies of the texture go round, clockwise seen from above, as in lathe.vert.
         const vec4 mark =
             streaks(-place.angle * std::numbers::inv_pi_v<float>, place.along_mm / shaders::kStreakMm);
         const vec3 body = glm::mix(material.albedo, wet, material.wetness);
@@ -277,7 +277,7 @@ Result<std::vector<std::byte>> dressed_glb(const exporter::PotRings& rings, cons
     const PotPictures pictures = bake(pot->picture_rows, rings, file.shrinkage, look);
     asset::Material material{
         .name = look.name, .base_colour_linear = dvec3(1.0), .roughness = 1.0, .metallic = 1.0};
-    // Finer where the eye is: colour, then shape.
+    // Higher quality where the eye is sensitive: colour, then shape.
     constexpr int kColourQuality = 88;
     constexpr int kNormalQuality = 85;
     constexpr int kSurfaceQuality = 75;
