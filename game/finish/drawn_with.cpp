@@ -50,9 +50,9 @@ DrawnWith drawn_with(const decoration::Texture& texture, const decoration::Strok
 }
 
 bool hides(const GlazeMaterial& glaze, const DrawnWith& drawn) {
-    constexpr float kSeen = 1.35F;    // contrast; by eye, on sheets of every pigment under every glaze
-    constexpr float kBetween = 0.3F;  // of a brushed coat, what lies bare between the brush's streaks
-    constexpr float kTelling = 0.1F;  // of what was drawn
+    constexpr float kSeen = 1.35F;    // contrast; chosen by eye, on sheets of every pigment under every glaze
+    constexpr float kBetween = 0.3F;  // bare fraction between the streaks of a brushed coat
+    constexpr float kTelling = 0.1F;  // fraction of the drawing
     const vec3 ground = glm::mix(glaze.colour, glaze.thin_colour, kBetween * glaze.brushed);
     float all = 0.0F;
     float seen = 0.0F;

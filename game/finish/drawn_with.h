@@ -1,4 +1,4 @@
-// What a pot was drawn on with, and how much of it, so that a glaze can be said to hide it. Any thread; pure.
+// Amounts of each pigment in a pot's drawing, to tell whether a glaze would hide it. Any thread; pure.
 #pragma once
 
 #include <array>
@@ -11,18 +11,18 @@
 namespace onggi::finish {
 
 struct DrawnWith {
-    // Texels that are mostly that pigment, by decoration::Pigment.
+    // Number of texels that are mostly that pigment, by decoration::Pigment.
     std::array<std::uint32_t, decoration::kPigmentCount> pigment{};
-    std::uint32_t wiped = 0;  // where fingers went through the coat
-    bool inlaid = false;      // some of the slip by a cut line
+    std::uint32_t wiped = 0;  // texels where fingers wiped through the coat
+    bool inlaid = false;      // some of the slip is inlaid in a cut line
 
     [[nodiscard]] bool nothing() const;
     friend bool operator==(const DrawnWith&, const DrawnWith&) = default;
 };
 [[nodiscard]] DrawnWith drawn_with(const decoration::Texture& texture, const decoration::Strokes& strokes);
 
-// Hardly a tenth of what was drawn is to be told from this glaze where there is none of it. What fingers left
-// is a groove as well and is always seen.
+// Whether less than about a tenth of the drawing is visible against this glaze. Finger wipes are grooves as
+// well, and always visible.
 [[nodiscard]] bool hides(const GlazeMaterial& glaze, const DrawnWith& drawn);
 
 }  // namespace onggi::finish

@@ -7,7 +7,7 @@
 namespace onggi::finish {
 namespace {
 
-// From the colours a museum's photographs show, taken back to linear light.
+// Converts a colour from a museum's photographs to linear light.
 vec3 linear(int rgb) {
     const auto one = [&](int shift) {
         const float value = static_cast<float>((rgb >> shift) & 255) / 255.0F;

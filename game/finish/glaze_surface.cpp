@@ -8,7 +8,7 @@
 namespace onggi::finish {
 namespace {
 
-// Smooth noise of two numbers, 0 to 1.
+// Smooth noise at (x, y), 0 to 1.
 float noise(float x, float y) {
     const float fx = std::floor(x);
     const float fy = std::floor(y);
@@ -20,8 +20,8 @@ float noise(float x, float y) {
                     glm::mix(lattice(ix, iy + 1), lattice(ix + 1, iy + 1), u), v);
 }
 
-// The noise does not know that a pot is round. Behind it, where both ends of the angle meet, what is seen
-// from one runs into what would come next on the other.
+// Makes the look periodic in the angle. The noise is not, so across the seam behind the pot one end is
+// blended into the continuation of the other end.
 template <typename Look>
 auto closed(GlazePlace at, const Look& look) {
     constexpr float kHalfTurn = std::numbers::pi_v<float>;
@@ -43,7 +43,7 @@ vec3 open_glaze_colour(const GlazeMaterial& glaze, float height_mm, const GlazeP
     const float ring = open_finger_ring(at);
     float thick =
         0.5F + 0.5F * noise(at.height_mm * 0.05F, at.angle * 1.5F + 7.0F) - glaze.breaks * 0.20F * ring;
-    // Glaze draws back from a rim.
+    // Glaze recedes from a rim.
     thick -= glaze.breaks * 0.9F * std::exp(-(height_mm - at.height_mm) / 2.2F);
     if (glaze.brushed > 0.0F) {
         const float streak = noise(at.height_mm * 1.15F, at.angle * 0.9F + 0.04F * at.height_mm) * 0.62F +
