@@ -29,10 +29,10 @@ class Buffer {
 
     [[nodiscard]] VkBuffer handle() const { return buffer_; }
     [[nodiscard]] VkDeviceSize size() const { return size_; }
-    // Null unless the host can see it.
+    // Null unless the memory is host-visible.
     [[nodiscard]] std::byte* mapped() const { return static_cast<std::byte*>(allocation_.mapped); }
 
-    // The whole of it. Precondition: host-visible.
+    // Returns the whole buffer as a span. Precondition: host-visible.
     template <typename T>
     [[nodiscard]] std::span<T> as() const {
         return {reinterpret_cast<T*>(mapped()), size_ / sizeof(T)};
@@ -53,8 +53,9 @@ class Buffer {
     Allocation allocation_;
 };
 
-// Makes a buffer, which the device no longer uses, as large as asked for, or half as large again as it is: it
-// grows a few times and then stays. What is in it is lost when it grows.
+// Makes a buffer at least `bytes` large; does nothing if it is. A buffer that grows becomes at least half as
+// large again and loses its contents, so it grows only a few times. Precondition: the device no longer uses
+// it.
 Result<void> make_room(const Device& device, Buffer& buffer, std::string_view name, VkDeviceSize bytes,
                        VkBufferUsageFlags usage, MemoryUse use = MemoryUse::kUpload);
 

@@ -37,7 +37,7 @@ std::string_view result_name(VkResult result) {
 
 Result<void> check(VkResult result, std::string_view call) {
     if (result == VK_SUCCESS) return {};
-    // The call as written, without its arguments: the name is what a reader looks up.
+    // The name of the call, without its arguments.
     const std::string_view name = call.substr(0, call.find('('));
     std::string message = fmt::format("{}: expected VK_SUCCESS, found {} ({})", name, result_name(result),
                                       static_cast<int>(result));

@@ -91,7 +91,7 @@ void Device::name(VkObjectType type, std::uint64_t object, std::string_view name
                                              .objectType = type,
                                              .objectHandle = object,
                                              .pObjectName = text.c_str()};
-    set_name_(device_, &info);  // a name that could not be set harms nobody
+    set_name_(device_, &info);  // failure is harmless: the object has no name
 }
 
 void Device::begin_region(VkCommandBuffer commands, const char* text) const {

@@ -1,5 +1,5 @@
-// The logical device: one queue, one command pool, and the few features the renderer stands on (Vulkan 1.3
-// with dynamic rendering, synchronization2 and timeline semaphores). Main thread.
+// The logical device: one queue, one command pool, and the few features that the renderer requires (Vulkan
+// 1.3 with dynamic rendering, synchronization2 and timeline semaphores). Main thread.
 #pragma once
 
 #include <map>
@@ -16,14 +16,14 @@
 
 namespace onggi::vk {
 
-// Shaders that stand in for others, found by where the others' first word lies.
+// Replacement shaders, keyed by the address of the original's first word.
 using SpirvReplacements = std::map<const std::uint32_t*, std::vector<std::uint32_t>>;
 
-// What a device is to do with a window.
+// The device's use of a window.
 enum class Presenting {
     kNone,
     kImages,        // VK_KHR_swapchain
-    kImagesInStep,  // and says when an image is on the screen, where its driver can: VK_KHR_present_wait
+    kImagesInStep,  // also VK_KHR_present_wait, if the driver has it, to learn when an image is on the screen
 };
 
 class Device {
@@ -44,32 +44,33 @@ class Device {
     [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
 
-    // Null where nobody asked for it, or the driver does not say when an image is on the screen.
+    // Null if kImagesInStep was not requested, or if the driver cannot tell when an image is on the screen.
     [[nodiscard]] PFN_vkWaitForPresentKHR wait_for_present() const { return wait_for_present_; }
 
-    // Shown by the validation layer and by frame debuggers instead of a number.
+    // Sets the name that the validation layer and frame debuggers show for an object.
     void name(VkObjectType type, std::uint64_t object, std::string_view name) const;
     template <typename Handle>
     void name(VkObjectType type, Handle handle, std::string_view text) const {
         name(type, reinterpret_cast<std::uint64_t>(handle), text);
     }
 
-    // What is recorded between the two is shown under this name by frame debuggers.
+    // Frame debuggers show the commands between begin_region() and end_region() under this name.
     void begin_region(VkCommandBuffer commands, const char* text) const;
     void end_region(VkCommandBuffer commands) const;
 
-    // What has become of it; it outlives none of its resources, so they all may note it.
+    // The device's health. The device outlives its resources, so all of them may report to it.
     [[nodiscard]] Health& health() const { return *health_; }
 
-    // For pipelines made from now on; empty but while somebody edits shaders.
+    // Applies to pipelines created from now on. Empty except while shaders are being edited.
     void replace_spirv(SpirvReplacements replacements) { replacements_ = std::move(replacements); }
     [[nodiscard]] std::span<const std::uint32_t> in_place_of(std::span<const std::uint32_t> spirv) const;
 
     [[nodiscard]] Result<VkCommandBuffer> allocate_commands(std::string_view name) const;
-    // Precondition: the device is done with them. Whoever does not goes on having them until the device goes.
+    // Precondition: the device has finished the commands. Commands that are not freed live as long as the
+    // device.
     void free_commands(VkCommandBuffer commands) const;
 
-    // Records with `record` and waits until it is done: for loading, not for frames.
+    // Records with `record`, submits, and waits for completion: for loading, not for frames.
     template <typename Record>
     Result<void> run_once(Record&& record) const {
         auto commands = begin_once();
@@ -99,12 +100,12 @@ class Device {
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;
 };
 
-// The device that draws where there is no window, and the instance it stands on.
+// A device for drawing without a window, and its instance.
 struct OffscreenDevice {
     std::unique_ptr<Instance> instance;
     std::unique_ptr<Device> device;
 
-    // Errors as of Instance::create(), choose_device() and Device::create().
+    // Errors: those of Instance::create(), choose_device() and Device::create().
     static Result<OffscreenDevice> open(const InstanceDesc& desc = {});
 };
 

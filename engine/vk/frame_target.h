@@ -1,5 +1,5 @@
-// Something that takes finished frames one after another. A window's swapchain and an unseen image are peers
-// behind it, so that all drawing code is the same with and without a display. Main thread only.
+// A target for finished frames: a window's swapchain or an offscreen image. Drawing code is the same with and
+// without a display. Main thread only.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct TargetImage {
     VkImageView view = VK_NULL_HANDLE;
     VkExtent2D extent{};
     VkImageLayout final_layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    // How many frames it was given for before. 0: its contents are undefined. Else it still is as the last of
-    // them left it, in `final_layout`.
+    // Number of frames that were drawn into this image before. 0: its contents are undefined. Otherwise it
+    // holds the last of those frames, in `final_layout`.
     std::uint64_t frames_before = 0;
 };
 
@@ -28,12 +28,12 @@ class FrameTarget {
     [[nodiscard]] virtual VkFormat format() const = 0;
     [[nodiscard]] virtual VkExtent2D extent() const = 0;
 
-    // Waits until the frame before has left the device, then gives the next image; nothing when no frame is
-    // wanted now (minimised, or the size has just changed: ask again).
+    // Waits until the device has finished the previous frame, then returns the next image. Empty if no frame
+    // is wanted now (minimised, or the size has just changed): call again later.
     virtual Result<std::optional<TargetImage>> begin() = 0;
-    // Submits what was recorded and shows it. Only after a begin() that gave an image.
+    // Submits the recorded commands and presents the image. Precondition: begin() returned an image.
     virtual Result<void> end(VkCommandBuffer commands) = 0;
-    // Blocks until everything submitted is done.
+    // Blocks until the device has finished all submissions.
     virtual Result<void> wait() = 0;
 };
 

@@ -8,7 +8,7 @@ VkResult Health::before(std::string_view call) {
     if (call.substr(0, call.find('(')) != fault_->call) return VK_SUCCESS;
     if (fault_->after-- > 0) return VK_SUCCESS;
     const VkResult result = fault_->result;
-    // A fault that does not lose the device strikes once.
+    // A fault that does not lose the device occurs once.
     if (result != VK_ERROR_DEVICE_LOST) fault_.reset();
     return result;
 }

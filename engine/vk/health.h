@@ -1,5 +1,5 @@
-// What has become of a device: whether it is lost, out of memory or without its surface, so that whoever owns
-// it can make another; and failures on purpose, so that tests can see it done. Main thread.
+// The health of a device: whether it is lost, out of memory or without its surface, so that the owner can
+// create another. Tests can inject faults. Main thread.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,13 @@ namespace onggi::vk {
 
 enum class Trouble {
     kNone,
-    kLost,         // the device; it stays lost until another is made
-    kOutOfMemory,  // the host's or the device's
-    kSurfaceLost,  // the window's; the device is well
+    kLost,         // the device is lost, and stays so until another is created
+    kOutOfMemory,  // of the host or of the device
+    kSurfaceLost,  // of the window; the device is usable
 };
 
-// A failure on purpose: after so many calls of this name have been let through, the next is not made and
-// gives this result instead. One that loses the device makes every later call fail alike, as a lost device
-// does.
+// An injected fault. The first `after` calls with this name succeed; the next call is not made and returns
+// `result`. If that loses the device, all later calls with this name fail too, as on a real lost device.
 struct Fault {
     std::string call;  // "vkQueueSubmit2"
     VkResult result = VK_ERROR_DEVICE_LOST;
@@ -31,8 +30,8 @@ class Health {
     [[nodiscard]] Trouble trouble() const { return trouble_; }
     void inject(Fault fault) { fault_ = std::move(fault); }
 
-    // Around every call that may find trouble: what a fault wants of it, else VK_SUCCESS; and what came of
-    // it. `call` is the source text of the call, of which the name counts.
+    // Call these around every Vulkan call that may fail. before() returns the injected fault's result, or
+    // VK_SUCCESS. note() records the call's result. `call` is the call's source text, compared by its name.
     [[nodiscard]] VkResult before(std::string_view call);
     void note(VkResult result);
 
@@ -43,7 +42,7 @@ class Health {
 
 }  // namespace onggi::vk
 
-// In a function that returns a Result: makes the call on behalf of a device, and leaves with its error.
+// In a function that returns a Result: makes the call for a device, and returns its error.
 #define ONGGI_VK_TRY_ON(device, call)                                                     \
     do {                                                                                  \
         VkResult onggi_result = (device).health().before(#call);                          \

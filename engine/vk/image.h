@@ -1,4 +1,4 @@
-// A 2D image with its memory and one view of the whole of it, and how it changes hands. Main thread.
+// A 2D image with its memory and a view of the whole image, and its layout transitions. Main thread.
 #pragma once
 
 #include <string_view>
@@ -43,17 +43,17 @@ class Image {
     Allocation allocation_;
 };
 
-// Who touched an image and how it was laid out: the two ends of a barrier.
+// One end of a barrier: the stages and accesses that use an image, and its layout.
 struct ImageState {
     VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_NONE;
     VkAccessFlags2 access = VK_ACCESS_2_NONE;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
-// The states the renderer uses, by what is done in them.
+// The states that the renderer uses.
 namespace state {
 constexpr ImageState kUndefined{};
-// An image whose last use is not known to matter, but must be over: same queue, one frame after another.
+// Discards the contents, after all earlier commands of the queue have finished with the image.
 constexpr ImageState kDiscard{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_NONE,
                               VK_IMAGE_LAYOUT_UNDEFINED};
 constexpr ImageState kCopySource{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
@@ -79,7 +79,8 @@ inline void barrier(VkCommandBuffer commands, const Image& image, const ImageSta
     barrier(commands, image.handle(), image.aspect(), from, to);
 }
 
-// Both images whole, or the part of both inside `area`; laid out as copy source and copy target.
+// Copies the part of the images inside `area`. `from` is in the copy source layout, `to` in the copy target
+// layout.
 void copy(VkCommandBuffer commands, VkImage from, VkImage to, VkImageAspectFlags aspect,
           const VkRect2D& area);
 

@@ -14,8 +14,7 @@ constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
 VKAPI_ATTR VkBool32 VKAPI_CALL hear(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                     const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    // An exception must not pass through the driver, and a message that could not be kept is no reason to
-    // end.
+    // An exception must not propagate through the driver; losing a message is harmless.
     try {
         static_cast<std::vector<std::string>*>(user)->emplace_back(data->pMessage);
     } catch (...) {
@@ -43,9 +42,9 @@ bool has_extension(const char* name) {
     });
 }
 
-// With an instance that stays, so do the drivers. Else the loader loads them for each instance anew, and each
-// time the libraries that want thread-local storage at a fixed place take some of the little that glibc keeps
-// for those that come late (rtld.optional_static_tls): of NVIDIA's 580 the thirtieth instance is refused.
+// An instance that is never destroyed keeps the drivers loaded. Otherwise the loader reloads them for each
+// instance, and each reload uses up some of the static thread-local storage that glibc reserves for late
+// libraries (rtld.optional_static_tls): with NVIDIA's 580, the thirtieth instance fails.
 void keep_drivers_loaded(const VkApplicationInfo& application) {
     static const VkInstance kept = [&] {
         const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
@@ -92,12 +91,12 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
         .sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
         .messageSeverity =
             VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
-        // Not VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL: the loader reports there which drivers it skipped.
+        // Not VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL: there the loader reports which drivers it skipped.
         .messageType =
             VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT,
         .pfnUserCallback = hear,
         .pUserData = self->messages_.get()};
-    // Also what one command may not read while another still writes it.
+    // Also reports missing synchronisation between commands.
     const VkValidationFeatureEnableEXT synchronization =
         VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
@@ -105,7 +104,8 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
                                            .enabledValidationFeatureCount = 1,
                                            .pEnabledValidationFeatures = &synchronization};
     const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
-                                    // Chained in, so that creation and destruction are heard too.
+                                    // Chained in, so that messages during creation and destruction are
+                                    // received too.
                                     .pNext = desc.validation ? &features : nullptr,
                                     .pApplicationInfo = &application,
                                     .enabledLayerCount = static_cast<std::uint32_t>(layers.size()),
@@ -113,7 +113,7 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
                                     .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
                                     .ppEnabledExtensionNames = extensions.data()};
     if (const VkResult result = vkCreateInstance(&info, nullptr, &self->instance_); result != VK_SUCCESS) {
-        // Of a layer only its description was looked for until now.
+        // has_layer() checks only the layer's manifest, not that it loads.
         const char* remedy =
             result == VK_ERROR_LAYER_NOT_PRESENT
                 ? "a layer that is asked for does not load; install it anew (vulkan-validationlayers)"

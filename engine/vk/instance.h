@@ -1,4 +1,4 @@
-// The Vulkan instance, with the validation layer on request and an ear for what the layers say. Main thread.
+// The Vulkan instance, with an optional validation layer and its messages. Main thread.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 namespace onggi::vk {
 
 struct InstanceDesc {
-    // VK_LAYER_KHRONOS_validation with synchronization validation; system lacks if it is not installed.
+    // VK_LAYER_KHRONOS_validation with synchronization validation. System lacks: it is not installed.
     bool validation = false;
-    std::vector<std::string> extensions{};  // what the window asks for
+    std::vector<std::string> extensions{};  // required by the window
 };
 
 class Instance {
@@ -25,7 +25,7 @@ class Instance {
 
     [[nodiscard]] VkInstance handle() const { return instance_; }
     [[nodiscard]] bool names_objects() const { return has_debug_utils_; }
-    // Warnings and errors heard so far, oldest first; tests want none. Validation only.
+    // Warnings and errors so far, oldest first; tests expect none. Filled only with validation.
     [[nodiscard]] const std::vector<std::string>& messages() const { return *messages_; }
 
   private:
@@ -34,7 +34,7 @@ class Instance {
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     bool has_debug_utils_ = false;
-    // The messenger holds a pointer to it, so it must not move.
+    // The messenger holds a pointer to this vector, so it must not move.
     std::unique_ptr<std::vector<std::string>> messages_ = std::make_unique<std::vector<std::string>>();
 };
 

@@ -18,7 +18,7 @@ Preference preference_of(MemoryUse use) {
     switch (use) {
         case MemoryUse::kUpload:
             return {kHost, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
-        // What the host reads must not be write-combined: a read of that takes as long as a hundred others.
+        // Memory that the host reads must not be write-combined: such a read is about a hundred times slower.
         case MemoryUse::kReadback:
         case MemoryUse::kWork:
             return {kHost, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
@@ -36,7 +36,7 @@ bool is_out_of_memory(VkResult result) {
 
 std::vector<std::uint32_t> memory_types(const VkPhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
                                         MemoryUse use) {
-    // What an extension adds is not for who has not asked for the extension.
+    // Property flags from extensions are off limits without enabling the extension.
     constexpr VkMemoryPropertyFlags kKnown =
         VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
         VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;

@@ -1,5 +1,5 @@
-// Device memory, one allocation a resource: the scene has some twenty of them, far below any driver's limit
-// (maxMemoryAllocationCount is at least 4096), so a sub-allocator would only hide who owns what. Main thread.
+// Device memory, one allocation per resource. The scene has about twenty, far below any driver's limit
+// (maxMemoryAllocationCount is at least 4096), so a sub-allocator would only obscure ownership. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 namespace onggi::vk {
 
 enum class MemoryUse {
-    kDevice,    // where drawing is quickest
+    kDevice,    // fastest for drawing
     kUpload,    // written by the host every frame, read by the device; stays mapped
     kReadback,  // written by the device, read by the host; stays mapped
     kWork,      // written and read by the host, then read by the device; stays mapped
 };
 
-// Owns nothing: the resource that asked for it frees it. Host-visible memory is coherent.
+// Not an owner: the resource that allocated it frees it. Host-visible memory is coherent.
 struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     void* mapped = nullptr;  // null for kDevice
 };
 
-// The types of memory to try, the best first: what is full leaves the next, slower or not.
+// Returns the memory types to try, best first: if one is full, the next is used.
 [[nodiscard]] std::vector<std::uint32_t> memory_types(const VkPhysicalDeviceMemoryProperties& memory,
                                                       std::uint32_t allowed, MemoryUse use);
 

@@ -1,4 +1,4 @@
-// A target that nobody sees: one image, drawn again and again, read back when asked. Main thread.
+// An offscreen target: one image, drawn repeatedly, read back on request. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ class Offscreen final : public FrameTarget {
     Result<void> end(VkCommandBuffer commands) override;
     Result<void> wait() override { return timeline_.wait(*device_); }
 
-    // The last frame: rows from the top, width x height x 4 bytes (red, green, blue, alpha). Waits for it.
+    // Waits for the last frame and returns it: rows from the top, width x height x 4 bytes (red, green, blue,
+    // alpha).
     Result<std::vector<std::uint8_t>> read_back();
 
   private:

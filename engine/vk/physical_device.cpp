@@ -87,7 +87,7 @@ DeviceDescription describe(VkPhysicalDevice device, int index) {
     VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     vkGetPhysicalDeviceProperties(device, &properties.properties);
-    // The driver's own words came with 1.2; an older device would not fill them in.
+    // The driver's name came with 1.2; older devices do not fill it in.
     if (properties.properties.apiVersion >= VK_API_VERSION_1_2) {
         properties.pNext = &driver;
         vkGetPhysicalDeviceProperties2(device, &properties);
@@ -187,13 +187,13 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
         if (requested_index) return device.index == *requested_index;
         return lower(device.name).find(lower(request)) != std::string::npos;
     };
-    // What is avoided comes after everything else, of two that are alike the first.
+    // Avoided devices rank after all others; among equals the first wins.
     const auto rank = [&](const DeviceDescription& device) {
         constexpr int kAboveAllTypes = 5;
         const int by_type = preference.cpu_first && device.is_cpu() ? kAboveAllTypes : rank_of(device.type);
         return is_to_be_avoided(device, preference) ? by_type - kAboveAllTypes - 1 : by_type;
     };
-    std::optional<std::size_t> best;  // of those that fit the request
+    std::optional<std::size_t> best;  // among those that match the request
     std::optional<std::size_t> of_all;
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (!devices[i].lacks.empty()) continue;
@@ -232,8 +232,8 @@ Result<ChosenDevice> choose_device(const Instance& instance, VkSurfaceKHR surfac
     const std::vector<VkPhysicalDevice> handles = enumerate(instance.handle());
     std::vector<DeviceDescription> devices = describe_all(handles);
     auto chosen = choose(devices, request, preference);
-    // Of the window only who would draw in it is asked: a driver may fall over the question, and what keeps
-    // falling avoids it. NVIDIA's 580 does, where the X server knows no GLX.
+    // Query surface support only on the chosen device: some drivers crash in this query (NVIDIA's 580 does on
+    // an X server without GLX). A device that keeps crashing is avoided, see DevicePreference.
     while (chosen && surface != VK_NULL_HANDLE) {
         devices[*chosen].lacks = what_it_lacks_for(handles[*chosen], surface);
         if (devices[*chosen].lacks.empty()) break;

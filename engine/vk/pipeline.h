@@ -1,4 +1,4 @@
-// Graphics pipelines for dynamic rendering, and the fixed descriptor set they share. Main thread.
+// Graphics pipelines for dynamic rendering, and their shared fixed descriptor set. Main thread.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace onggi::vk {
 
-// Owns one handle of a kind that is made from a VkDevice and destroyed with it.
+// Owns a handle that is created from a VkDevice and destroyed with it.
 template <typename Handle, void (*destroy)(VkDevice, Handle, const VkAllocationCallbacks*)>
 class Unique {
   public:
@@ -46,7 +46,7 @@ struct PipelineDesc {
     std::string_view name;
     std::span<const std::uint32_t> vertex_spirv;
     std::span<const std::uint32_t> fragment_spirv;  // empty: depth only
-    // 32-bit specialization constants, id = place; both stages get them.
+    // 32-bit specialization constants for both stages; the id is the index.
     std::span<const std::uint32_t> constants{};
     VkPipelineLayout layout = VK_NULL_HANDLE;
     std::span<const VkVertexInputAttributeDescription> attributes{};  // of binding 0
@@ -54,10 +54,10 @@ struct PipelineDesc {
     std::span<const VkFormat> colour_formats{};
     VkFormat depth_format = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-    bool depth_test = false;  // less or equal
+    bool depth_test = false;  // passes if less or equal
     bool depth_write = false;
     bool depth_bias = false;                       // for shadow maps
-    bool blend = false;                            // laid over; colours come already multiplied by alpha
+    bool blend = false;                            // over, with premultiplied alpha
     VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;  // front faces are counter-clockwise seen from outside
 };
 
@@ -79,11 +79,11 @@ Result<BoundSet> create_set(const Device& device, std::span<const Binding> bindi
 
 void write_buffer(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type,
                   VkBuffer buffer);
-// In VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL when it is read.
+// The shader reads it in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
 void write_image(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view,
                  VkSampler sampler);
 
-// A buffer as texels of this format, from its first byte to its last.
+// Creates a view of the whole buffer as texels of this format.
 Result<BufferView> create_texels(const Device& device, VkBuffer buffer, VkFormat format,
                                  std::string_view name);
 void write_texels(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkBufferView view);
@@ -95,7 +95,7 @@ struct SamplerDesc {
     VkFilter filter = VK_FILTER_LINEAR;
     VkSamplerAddressMode address_u = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     VkSamplerAddressMode address_v = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    bool compares = false;  // less or equal passes; outside the image: passes
+    bool compares = false;  // passes if less or equal; outside the image it passes
 };
 Result<Sampler> create_sampler(const Device& device, const SamplerDesc& desc, std::string_view name);
 

@@ -1,4 +1,4 @@
-// Pixels back to the host. Main thread.
+// Copies pixels back to the host. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace onggi::vk {
 
-// What was copied before it can be read by the host once the commands are done.
+// Makes copies recorded before visible to the host once the commands have finished.
 void barrier_to_host(VkCommandBuffer commands);
 
-// Waits. Of an image with four bytes a pixel in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL: rows from the top,
-// tightly packed, in the image's own channel order.
+// Waits for the copy. The image has four bytes per pixel and is in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL.
+// Returns rows from the top, tightly packed, in the image's channel order.
 Result<std::vector<std::uint8_t>> read_pixels(const Device& device, const Image& image);
 
 }  // namespace onggi::vk

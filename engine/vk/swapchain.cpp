@@ -11,10 +11,10 @@
 namespace onggi::vk {
 namespace {
 
-// Where the driver says when an image is on the screen, the display paces, and each image is shown. Else the
-// caller does; where the screen can take the newest image and drop the rest, nothing blocks. A processor
-// copies its picture to the screen in any case and has it back at once: there the mode says only how many
-// images the driver keeps, and Mesa's keeps five for a mailbox, three for an immediate one.
+// If the driver reports when an image is on the screen, the display paces the frames and every image is shown
+// (FIFO). Otherwise the caller paces them, and a mailbox, where the newest image replaces a waiting one,
+// never blocks. A software device copies its picture to the screen immediately, so the mode only determines
+// the number of images: Mesa keeps five for mailbox and three for immediate.
 VkPresentModeKHR best_of(std::span<const VkPresentModeKHR> modes, const Device& device) {
     const auto has = [&](VkPresentModeKHR mode) {
         return std::find(modes.begin(), modes.end(), mode) != modes.end();
@@ -75,7 +75,7 @@ Result<void> Swapchain::choose_format() {
 VkExtent2D Swapchain::wanted_extent(const VkSurfaceCapabilitiesKHR& can) const {
     VkExtent2D extent = can.currentExtent;
     if (extent.width ==
-        std::numeric_limits<std::uint32_t>::max()) {  // the surface takes whatever it is given
+        std::numeric_limits<std::uint32_t>::max()) {  // the surface takes the swapchain's size
         extent.width = std::clamp(wanted_.width, can.minImageExtent.width, can.maxImageExtent.width);
         extent.height = std::clamp(wanted_.height, can.minImageExtent.height, can.maxImageExtent.height);
     }
@@ -105,13 +105,12 @@ Result<bool> Swapchain::rebuild() {
     ONGGI_VK_TRY_ON(*device_, vkGetPhysicalDeviceSurfacePresentModesKHR(device_->physical(), surface_,
                                                                         &mode_count, modes.data()));
     const VkPresentModeKHR mode = best_of(modes, *device_);
-    // In a queue that nobody looks after, a third image is one more frame from finger to picture.
+    // In a FIFO without feedback, a third image would add a frame of latency between finger and picture.
     const bool may_queue = mode == VK_PRESENT_MODE_FIFO_KHR && device_->wait_for_present() == nullptr;
     std::uint32_t image_count = std::max(can.minImageCount, may_queue ? 2U : 3U);
     if (can.maxImageCount > 0) image_count = std::min(image_count, can.maxImageCount);
 
-    // A display that is turned is turned by whoever shows the images, at some cost; the pictures stay
-    // upright.
+    // The compositor rotates the images of a rotated display, at some cost; our pictures stay upright.
     const bool is_turned_for_us = (can.supportedTransforms & VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR) != 0;
     const bool can_be_opaque = (can.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0;
     const VkSwapchainCreateInfoKHR info{
@@ -122,7 +121,7 @@ Result<bool> Swapchain::rebuild() {
         .imageColorSpace = format_.colorSpace,
         .imageExtent = extent,
         .imageArrayLayers = 1,
-        // The still picture is copied in, then drawn over; every surface we know can be copied to.
+        // Pictures are also copied in; every known surface supports that.
         .imageUsage =
             VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT),
         .imageSharingMode = VK_SHARING_MODE_EXCLUSIVE,
@@ -130,7 +129,7 @@ Result<bool> Swapchain::rebuild() {
         .compositeAlpha =
             can_be_opaque ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR,
         .presentMode = mode,
-        // What was drawn into an image must still be there when it comes back, hidden by a window or not.
+        // An image must keep its contents until it comes back, even where another window hides it.
         .clipped = VK_FALSE,
         .oldSwapchain = swapchain_};
     VkSwapchainKHR fresh = VK_NULL_HANDLE;
@@ -184,7 +183,7 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
         if (!rebuilt) return rebuilt.error();
         if (!*rebuilt) return std::optional<TargetImage>();
     }
-    // A screen that is off may give no image for as long as it is, and the program has more to do.
+    // A screen that is off may block the acquisition, and the program has other work.
     constexpr std::uint64_t kPatienceNs = 100'000'000;
     Health& health = device_->health();
     VkResult result = health.before("vkAcquireNextImageKHR");
@@ -192,7 +191,7 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
         result = vkAcquireNextImageKHR(device_->handle(), swapchain_, kPatienceNs, acquired_.get(),
                                        VK_NULL_HANDLE, &frame_);
     }
-    // Some drivers say after that time what they should say at once.
+    // Some drivers return VK_NOT_READY only after the timeout.
     if (result == VK_TIMEOUT || result == VK_NOT_READY) return std::optional<TargetImage>();
     health.note(result);
     const auto acquired = check_swapchain(result, "vkAcquireNextImageKHR");
@@ -233,7 +232,7 @@ Result<void> Swapchain::end(VkCommandBuffer commands) {
     else
         presented_ = number;
     if (result != VK_SUBOPTIMAL_KHR) return {};
-    // One as large as this would be as suboptimal: on a display that is turned, each is.
+    // Keep a swapchain of the right size: a new one would be suboptimal too, as always on a rotated display.
     const auto is_another = is_of_another_size();
     if (!is_another) return is_another.error();
     is_current_ = !*is_another;

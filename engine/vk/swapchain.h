@@ -1,5 +1,5 @@
-// A window's images, as a frame target: made again when the window changes size, silent while it is
-// minimised. Main thread.
+// A window's images as a frame target: re-created when the window's size changes, returns no image while it
+// is minimised. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace onggi::vk {
 
-// Owns a surface that a window made. The instance must outlive it, and it the swapchain.
+// Owns a surface that a window created. The instance must outlive the surface, and the surface the swapchain.
 class Surface {
   public:
     Surface(VkInstance instance, VkSurfaceKHR surface) : instance_(instance), surface_(surface) {}
@@ -29,14 +29,14 @@ class Surface {
 
 class Swapchain final : public FrameTarget {
   public:
-    // extent: of the window's framebuffer, in pixels; what the surface says goes first.
+    // extent: of the window's framebuffer, in pixels; the surface's own extent takes precedence.
     static Result<std::unique_ptr<Swapchain>> create(const Device& device, const Surface& surface,
                                                      VkExtent2D extent);
     ~Swapchain() override;
     Swapchain(const Swapchain&) = delete;
     Swapchain& operator=(const Swapchain&) = delete;
 
-    // The window has this many pixels now: 0 x 0 while minimised.
+    // Sets the window's size in pixels: 0 x 0 while minimised.
     void resize(VkExtent2D extent);
 
     [[nodiscard]] VkFormat format() const override { return format_.format; }
@@ -45,27 +45,27 @@ class Swapchain final : public FrameTarget {
     Result<void> end(VkCommandBuffer commands) override;
     Result<void> wait() override { return timeline_.wait(*device_); }
 
-    // Whether the driver will say when the last image is on the screen; once for each.
+    // Whether the driver will report that the last image is on the screen and nobody has waited for it yet.
     [[nodiscard]] bool awaits_showing() const {
         return device_->wait_for_present() != nullptr && presented_ > shown_;
     }
-    // Until it is, or this long. Precondition: awaits_showing().
+    // Waits until it is, or until the timeout. Returns whether it is. Precondition: awaits_showing().
     Result<bool> wait_until_shown(std::uint64_t most_ns);
 
   private:
     struct Frame {
         VkImage image = VK_NULL_HANDLE;
         Unique<VkImageView, vkDestroyImageView> view;
-        Semaphore drawn;  // one an image: the one before it may still be waited on by the screen
+        Semaphore drawn;  // one per image: the presentation of the previous image may still wait on its own
         std::uint64_t begun = 0;
     };
 
     Swapchain(const Device& device, const Surface& surface) : device_(&device), surface_(surface.handle()) {}
     Result<void> choose_format();
-    // False while the window has no pixels.
+    // Returns false while the window has no pixels.
     Result<bool> rebuild();
     [[nodiscard]] VkExtent2D wanted_extent(const VkSurfaceCapabilitiesKHR& can) const;
-    // Whether another swapchain would suit the surface better than this one, which is said to be suboptimal.
+    // Whether a new swapchain would have another size, after this one was reported to be suboptimal.
     Result<bool> is_of_another_size() const;
     Result<void> make_frames();
     void drop_frames();
@@ -78,10 +78,10 @@ class Swapchain final : public FrameTarget {
     VkExtent2D wanted_{};
     bool is_current_ = false;
     std::vector<Frame> frames_;
-    std::uint32_t frame_ = 0;      // the image that begin() gave
-    std::uint64_t presented_ = 0;  // how many images of this swapchain; the last one's number
-    std::uint64_t shown_ = 0;      // the last one that was waited for
-    Semaphore acquired_;           // one is enough for one frame in flight
+    std::uint32_t frame_ = 0;      // the image that begin() returned
+    std::uint64_t presented_ = 0;  // number of images presented by this swapchain; also the last one's id
+    std::uint64_t shown_ = 0;      // id of the last image that was waited for
+    Semaphore acquired_;           // one frame in flight needs only one
     Timeline timeline_;
 };
 

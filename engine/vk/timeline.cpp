@@ -7,8 +7,8 @@
 namespace onggi::vk {
 namespace {
 
-// Longer than any frame, even a first one whose shaders are compiled in software on a machine that is busy
-// with ten other things: a device that takes two minutes hangs.
+// Hang timeout: longer than any frame, even a first one that compiles its shaders in software on a busy
+// machine.
 constexpr std::uint64_t kHangNs = 120'000'000'000ULL;
 
 VkSemaphoreSubmitInfo semaphore_info(VkSemaphore semaphore, std::uint64_t value,

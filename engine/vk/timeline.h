@@ -1,5 +1,5 @@
-// A timeline semaphore and the value that the last submission will bring it to: how the host waits for the
-// one frame in flight. Main thread.
+// A timeline semaphore and the value that the last submission will signal: the host waits for the one frame
+// in flight with it. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ class Timeline {
   public:
     static Result<Timeline> create(const Device& device, std::string_view name);
 
-    // Submits; afterwards wait() waits for it. Either semaphore may be null.
+    // Submits; wait() then waits for this submission. Either semaphore may be null.
     Result<void> submit(const Device& device, VkCommandBuffer commands, VkSemaphore wait_for,
                         VkSemaphore signal);
-    // Until everything submitted has left the device.
+    // Waits until the device has finished all submissions.
     Result<void> wait(const Device& device) const;
 
   private:

@@ -39,7 +39,7 @@ void Timestamps::begin(VkCommandBuffer commands) {
 
 void Timestamps::mark(VkCommandBuffer commands) {
     if (marks_ >= capacity_) return;
-    // The first needs to wait for nothing; waiting costs a software device its batching.
+    // The first mark needs no wait; a wait breaks up a software device's batches.
     const VkPipelineStageFlags2 after =
         marks_ == 0 ? VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT : VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     vkCmdWriteTimestamp2(commands, after, pool_.get(), marks_++);
@@ -52,7 +52,7 @@ const std::vector<double>& Timestamps::read(const Device& device) {
     const VkResult result =
         vkGetQueryPoolResults(device.handle(), pool_.get(), 0, marks_, marks_ * sizeof(std::uint64_t),
                               ticks_.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT);
-    if (result != VK_SUCCESS) return ms_;  // a time that is not there yet is no reason to lose a frame
+    if (result != VK_SUCCESS) return ms_;  // a missing time is no reason to lose a frame
     for (const std::uint64_t ticks : ticks_)
         ms_.push_back(static_cast<double>(ticks_between(ticks_.front(), ticks, valid_bits_)) * ms_a_tick_);
     return ms_;

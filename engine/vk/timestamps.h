@@ -1,4 +1,4 @@
-// When the device got to which place in a command buffer. Main thread.
+// Measures when the device reaches marks in a command buffer. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@
 
 namespace onggi::vk {
 
-// Ticks from one timestamp to a later one, of which only so many low bits count: the clock may have begun
-// anew in between.
+// Returns the ticks between two timestamps, of which only the low `valid_bits` count; handles one wraparound.
 [[nodiscard]] std::uint64_t ticks_between(std::uint64_t earlier, std::uint64_t later,
                                           std::uint32_t valid_bits);
 
 class Timestamps {
   public:
-    // Room for so many marks. Works, and measures nothing, on a device that has no clock for its queue.
+    // `capacity`: maximum number of marks. On a device whose queue has no clock it works, but measures
+    // nothing.
     static Result<Timestamps> create(const Device& device, std::uint32_t capacity, std::string_view name);
 
-    // Before the first mark, outside of rendering.
+    // Call before the first mark, outside of rendering.
     void begin(VkCommandBuffer commands);
-    // Now: once all that was recorded before is done. What goes beyond the capacity is not noted.
+    // Records a timestamp after all earlier commands. Marks beyond the capacity are ignored.
     void mark(VkCommandBuffer commands);
     [[nodiscard]] std::uint32_t marks() const { return marks_; }
 
-    // Milliseconds of each mark after the first. Only after the submission has left the device; empty where
-    // nothing was measured.
+    // Returns the time of each mark in ms, relative to the first mark. Call after the device has finished the
+    // submission. Empty if nothing was measured.
     [[nodiscard]] const std::vector<double>& read(const Device& device);
 
   private:
