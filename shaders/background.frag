@@ -1,14 +1,15 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What stands still, as two photographs show it: one with the key light, one without. With ONGGI_SURFACE it
-// lies on a mesh, which says where in the world the pixel is; without, it fills the rest of the picture.
+// The still life, from two photographs with and without the key light. With ONGGI_SURFACE it is drawn on a
+// mesh, which gives the pixel's place in the world; without, it fills the rest of the picture.
 #include "frame.glsl"
 #include "noise.glsl"
 #include "background_edge.glsl"
 #include "tone.glsl"
 
 layout(set = 0, binding = kBindMask) uniform sampler2D shadow_mask;
-layout(set = 0, binding = kBindBackgroundKey) uniform sampler2D background_key;  // both with the target's transfer
+// Both encoded like the target.
+layout(set = 0, binding = kBindBackgroundKey) uniform sampler2D background_key;
 layout(set = 0, binding = kBindBackgroundAmbient) uniform sampler2D background_ambient;
 
 #ifdef ONGGI_SURFACE
@@ -30,7 +31,7 @@ void main() {
     vec3 ambient = decode(texture(background_ambient, mirrored(at)).rgb);
     float left = left_beside(at);
     left *= left;
-    // Compression may leave the lit picture the darker one by a level.
+    // Compression may leave the lit photograph darker by one level.
     vec3 key_light = max(all_light - ambient, vec3(0.0)) * (frame.levels.w * left);
     ambient *= frame.levels.rgb * left;
 #ifdef ONGGI_SURFACE

@@ -1,4 +1,4 @@
-// Beside the photograph of the room, see background_edge.h.
+// The room outside its photograph, see background_edge.h.
 #include "background_edge.h"
 
 vec2 mirrored(vec2 at) {

@@ -1,5 +1,5 @@
-// The picture's curve: light to the values that the screen's transfer function is applied to. Steep in the
-// dark; it never clips, and reaches white at a light of 1.75.
+// The tone curve: maps light to the values that the screen's transfer function is applied to. Steep in the
+// dark, no clipping, white at a light of 1.75.
 #ifndef ONGGI_SHADERS_CURVE_H
 #define ONGGI_SHADERS_CURVE_H
 #include "formula.h"
@@ -11,11 +11,11 @@ namespace onggi::shaders {
 CONSTANT float kCurveSlope = 0.8F;
 CONSTANT float kCurveFoot = 0.35F;
 
-// The curve is c over this.
+// The curve's denominator; its numerator is `light`.
 FORMULA COLOUR curve_under(COLOUR light) {
     return light * kCurveSlope + kCurveFoot;
 }
-// And backwards.
+// The inverse of the curve.
 FORMULA COLOUR curve_light(COLOUR c) {
     return kCurveFoot * c / (1.0F - kCurveSlope * c);
 }

@@ -1,6 +1,6 @@
-// What makes one text of a formula both GLSL and C++. A REAL is a number: of a pixel there, here of one or of
-// eight (Float8). A COLOUR is all three channels there and one of them here, so it knows no .rgb; a VEC
-// anything with such members. Numbers are written 1.0F.
+// Macros that make a formula valid as both GLSL and C++. A REAL is a float in GLSL, and one or eight numbers
+// (Float8) in C++. A COLOUR is all three channels in GLSL and one channel in C++, so it must not use .rgb. A
+// VEC is anything with the members it uses. Number literals are written 1.0F.
 #ifndef ONGGI_SHADERS_FORMULA_H
 #define ONGGI_SHADERS_FORMULA_H
 
@@ -13,7 +13,7 @@
 #define COLOUR auto
 #define VEC3 const auto&
 #define VEC4 const auto&
-#pragma GCC diagnostic ignored "-Wpsabi"  // no vector is passed by value: all of it is inlined
+#pragma GCC diagnostic ignored "-Wpsabi"  // no vector is passed by value: everything is inlined
 namespace onggi::shaders {
 using namespace float8;
 }

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The lathe, see lathe.h, with the outline's own normal at every pixel and streaks that turn with it. A number of
-// a uniform buffer costs thirty multiplications on a software device: what changes slowly or not at all comes
-// from the vertices.
+// The lathe, see lathe.h, with the outline's normal per pixel and streaks that turn with it. A value of a
+// uniform buffer costs thirty multiplications on a software device, so values that vary slowly or not at all
+// come from the vertices.
 #include "frame_data.h"
 #include "lathe.h"
 #ifdef ONGGI_LOAD
@@ -12,7 +12,7 @@
 
 layout(set = 0, binding = kBindNormals) uniform usamplerBuffer outline_normals;
 layout(set = 0, binding = kBindDetail) uniform sampler2D detail;
-layout(constant_id = 0) const bool kNearSpheres = true;  // where their shadow may fall
+layout(constant_id = 0) const bool kNearSpheres = true;  // where a sphere's shadow may fall
 
 layout(location = 0) in vec3 to_eye;
 layout(location = 1) in vec4 outline;
@@ -39,11 +39,11 @@ layout(push_constant) uniform DrawBlock {
 };
 
 struct Mark {
-    vec4 colour;  // roots of light; a how far it covers
+    vec4 colour;  // rgb square roots of light; a coverage
     vec2 lean;
 };
 
-// Between four of them, as a sampler reads; past the outside's end there is none.
+// Bilinear, like a sampler; there are no marks beyond the end of the outside.
 Mark mark_at(float turns, float height_mm, float along_mm) {
     int columns = int(draw.marks.z);
     int rows = marks.length() / columns;
@@ -78,17 +78,18 @@ void main() {
     vec3 l = light_from.xyz;
     int texel = clamp(int(outline.z * float(kProfileTexels)), 0, kProfileTexels - 1);
     vec2 profile = from_sixteen_bits(texelFetch(outline_normals, texel).r) * 2.0 - 1.0;
-    // r: lighter or darker; g, b: lean round the pot and up it; a: thickness of the film.
+    // r: brightness; g, b: slope around the pot and up it; a: thickness of the film.
     vec4 mark = texture(detail, detail_at.xy);
     float streaks = gloss_of.x;
     vec2 lean = vec2(lathe_lean(streaks, mark.g), lathe_lean(streaks, mark.b));
 #ifdef ONGGI_MARKS
-    // Streaks run clockwise from above, and two of their texture go round.
+    // Streaks run clockwise from above, two texture widths per turn.
     Mark painted = mark_at(-0.5 * detail_at.x, eye.y - to_eye.y, detail_at.y * kStreakMm);
     lean += vec2(-painted.lean.x, painted.lean.y);
 #endif
     vec2 outward = outline.xy;
-    // Dents and streaks lean the wall; between two sectors the way outwards is a chord, a little shorter than 1.
+    // Dents and streaks tilt the wall. Between two sectors the outward vector is a chord, slightly shorter
+    // than 1.
     vec3 n = normalize(vec3(profile.x * outward.x - lean.x * outward.y,
                             profile.y - profile.x * detail_at.w + lean.y,
                             profile.x * outward.y + lean.x * outward.x));

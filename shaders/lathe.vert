@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A pot's vertices, placed on the processor; here the light that changes slowly over them: llvmpipe pays for
-// pixels, not for a few thousand vertices.
+// A pot's vertices, positioned by the processor. This shader computes the slowly varying light per vertex:
+// llvmpipe pays for pixels, not for a few thousand vertices.
 #include "frame.glsl"
 #include "lathe.h"
 #include "sky.glsl"
@@ -18,19 +18,19 @@ layout(push_constant) uniform DrawBlock {
 };
 
 layout(location = 0) out vec3 out_to_eye;     // mm
-layout(location = 1) out vec4 out_outline;    // xy: the way outwards; z: where its normal lies in the texture;
-                                              // w: key light that gets here
-layout(location = 2) out vec4 out_detail;     // xy: where its streaks lie in the texture; z: water on it;
-                                              // w: how dents lean the wall, as a slope
-layout(location = 3) out vec4 out_ambient;    // diffuse, without the albedo; w: the body's roughness to gloss
-layout(location = 4) out vec4 out_mirrored;   // w: the body's roughness to what it throws back
-layout(location = 5) out vec4 out_albedo;     // w: what that roughness takes of the light
-layout(location = 6) out vec2 out_slow;       // one over the distance to the eye; one over the length of view
-                                              // and light together
+// Outward in xy; in z the coordinate of its normal in the texture; in w the key light that arrives here.
+layout(location = 1) out vec4 out_outline;
+// Streak coordinates in xy; in z the water on the surface; in w the slope caused by dents.
+layout(location = 2) out vec4 out_detail;
+layout(location = 3) out vec4 out_ambient;    // diffuse, without the albedo; w: gloss roughness of the body
+layout(location = 4) out vec4 out_mirrored;   // w: Oren-Nayar roughness of the body
+layout(location = 5) out vec4 out_albedo;     // w: factor by which that roughness dims the light
+// One over the distance to the eye; one over the length of view plus light.
+layout(location = 6) out vec2 out_slow;
 layout(location = 7) flat out vec4 out_light_from;  // w: soft edge, as a cosine
 layout(location = 8) flat out vec4 out_radiance;    // w: one over the soft edge
-layout(location = 9) flat out vec4 out_gloss_of;    // streaks; the film's roughness; weight of the glaze; mirror
-                                                    // of the film, straight on
+// Streaks; roughness of the film; weight of the glaze; reflectance of the film at normal incidence.
+layout(location = 9) flat out vec4 out_gloss_of;
 layout(location = 10) flat out vec4 out_eye;        // w: tangent of half the light's width
 layout(location = 11) flat out vec4 out_spheres[kSpheres];
 #ifdef ONGGI_LOAD

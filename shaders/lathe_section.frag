@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The cut faces of a wall, as a drawing has them, see load.h.
+// The cut faces of a wall, drawn like a technical section, see load.h.
 #include "frame.glsl"
 #include "load.glsl"
 #include "tone.glsl"

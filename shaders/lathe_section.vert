@@ -7,7 +7,8 @@ layout(std430, set = 0, binding = kBindVertices) readonly buffer VertexBlock {
     VertexData vertices[];
 };
 
-layout(location = 0) out vec4 out_place;  // from the axis and up, mm; load; from the outer to the inner face
+// Mm from the axis and up; load; 0 to 1 from the outer to the inner face.
+layout(location = 0) out vec4 out_place;
 
 void main() {
     VertexData vertex = vertices[gl_VertexIndex];

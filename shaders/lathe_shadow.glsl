@@ -1,13 +1,13 @@
-// The lathe between a point outside it and the key light, see shadow.h.
+// The lathe's shadow on points outside it, see shadow.h.
 #include "shadow.h"
 
 layout(std430, set = 0, binding = kBindOutline) readonly buffer OutlineBlock {
     float outline[];
 };
 
-// How much of the key light gets to p, 0 to 1: the least angle between the ray and the outline, in halves of
-// the light's width. Sixteen steps through the slab of height that the lathe fills; for vertices, not for
-// pixels.
+// Fraction of the key light that reaches p, 0 to 1, from the smallest angle between ray and outline in units
+// of the light's half width. Marches sixteen steps through the lathe's range of heights; for vertices, not
+// for pixels.
 float past_lathe_to_light(vec3 p) {
     float height = frame.lathe.x;
     if (height <= 0.0) return 1.0;

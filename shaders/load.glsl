@@ -1,4 +1,4 @@
-// The load as it is shown on what bears it, see load.h.
+// Displays the load on the lathe, see load.h.
 #include "load.h"
 
 // along: mm along the hatch's own axis.

@@ -1,7 +1,7 @@
-// How near a wall is to giving way, as it is shown on it: a hatch that grows denser and a colour that grows
-// redder, framed by pale lines where the warning begins. Place and pattern say it without the colour. And the
-// faces of a wall that is cut, as a drawing has them: pale, hatched at 45 degrees, with a line where they
-// end; a longer line every ten millimetres of height is a scale.
+// Displays how close a wall is to collapse: a hatch that grows denser and a colour that grows redder, framed
+// by pale lines where the warning begins, so that it can be read without colour. Also the cut faces, drawn
+// like a technical section: pale, hatched at 45 degrees, with an outline, and a longer line every ten
+// millimetres of height as a scale.
 #ifndef ONGGI_SHADERS_LOAD_H
 #define ONGGI_SHADERS_LOAD_H
 #include "formula.h"
@@ -15,7 +15,7 @@ CONSTANT vec3 kLoadRed = vec3(0.50F, 0.10F, 0.03F);
 CONSTANT vec3 kLoadDark = vec3(0.045F, 0.008F, 0.002F);
 CONSTANT vec3 kLoadPale = vec3(1.0F, 0.88F, 0.66F);
 
-// A width is by how much a number changes from a pixel to the next ones.
+// A width is the change of a value from one pixel to the next.
 FORMULA REAL load_past(REAL load) {
     return load - kLoadWarns;
 }
@@ -47,7 +47,7 @@ FORMULA REAL section_hatch(REAL along, REAL along_width) {
     REAL line = abs(fract(along / 3.0F) - 0.5F);
     return 0.70F + 0.30F * smoothstep(0.12F, 0.12F + max(along_width / 3.0F, 1e-5F), line);
 }
-// `through`: from one face of the wall to the other, 0 to 1.
+// `through`: position between the faces of the wall, 0 to 1.
 FORMULA REAL section_border(REAL through, REAL through_width) {
     return mix(0.25F, 1.0F, smoothstep(0.0F, max(1.5F * through_width, 1e-5F), min(through, 1.0F - through)));
 }

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The shadow that the moving things cast on y = 0, seen along the light: r how much of the key light gets
-// there, g how much of the sky. Drawn only when the outline or a tool has changed.
+// The shadow of moving things on y = 0, projected along the light: r visible fraction of the key light, g of
+// the sky. Drawn only when the outline or a tool has changed.
 #include "frame.glsl"
 #include "shadow.h"
 #include "spheres.glsl"

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Whatever is neither the lathe nor the wall. With ONGGI_LAYERS it is drawn once, into what each frame is put
-// together from; without, it is the finished picture (stills, GPUs, tools).
+// Static meshes. With ONGGI_LAYERS they are drawn once, into the layers that the frames are composed of;
+// without, into the finished picture (stills, GPUs, tools).
 #include "frame.glsl"
 #include "noise.glsl"
 #include "packed.glsl"
@@ -20,20 +20,20 @@ layout(push_constant) uniform DrawBlock {
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in float open_sky;
-layout(location = 0) out vec4 out_colour;  // finished; of the layers: with the key light
+layout(location = 0) out vec4 out_colour;  // finished; with ONGGI_LAYERS: with the key light
 #ifdef ONGGI_LAYERS
-layout(location = 1) out vec4 out_ambient;  // without it; alpha: how much the foot's shade counts
-layout(location = 2) out vec4 out_coords;   // where to look in the shadow mask
+layout(location = 1) out vec4 out_ambient;  // without the key light; alpha: weight of the foot's shade
+layout(location = 2) out vec4 out_coords;   // coordinates in the shadow mask
 #endif
 
-// The still life's own shadow, averaged over a square of seven texels' width. Texel by texel with its fraction
-// of the square, since not every device filters depth (lavapipe does not).
+// The still life's own shadow, averaged over a square of seven texels. The weights are computed here, because
+// not every device filters depth (lavapipe does not).
 float past_still_life() {
     vec4 at = frame.key_view_projection * vec4(position, 1.0);
     vec2 texel = (at.xy * 0.5 + 0.5) * kShadowMapTexels - 0.5;
     vec2 base = floor(texel);
     vec2 fraction = texel - base;
-    float depth = min(at.z, 1.0);  // ground further off than the map's far plane is not in shade for that
+    float depth = min(at.z, 1.0);  // ground beyond the map's far plane is not in shade
     float seen = 0.0;
     for (int y = -3; y <= 4; ++y) {
         float weight_y = y == -3 ? 1.0 - fraction.y : (y == 4 ? fraction.y : 1.0);
@@ -47,7 +47,8 @@ float past_still_life() {
 }
 
 void main() {
-    // A material's are in these bounds already; without them Mesa's compiler for the Raspberry Pi 5 crashes.
+    // Materials are within these bounds already; without the clamp, Mesa's compiler for the Raspberry Pi 5
+    // crashes.
     float roughness = clamp(draw.albedo.w, 0.05, 1.0);
     float metalness = draw.surface.x;
     vec3 n = normalize(in_normal);
@@ -64,7 +65,7 @@ void main() {
         roughness = clamp(roughness + draw.surface.w * (blotch - 0.5) * 0.5, 0.05, 1.0);
     }
 
-    // Rings left by a lathe tool: the normal leans in and out along the radius. They fade where a pixel spans
+    // Rings left by a lathe tool tilt the normal in and out along the radius. They fade where a pixel spans
     // more than a third of a ring.
     vec3 radial = vec3(position.x, 0.0, position.z);
     float r = max(length(radial), 1e-3);
@@ -88,7 +89,7 @@ void main() {
 
     float seen = past_still_life();
     float lit = soft_cosine(n_l, 0.14, 1.0 / 0.14) * seen;
-    // Rings spread what they mirror along the radius: a fan of leaning normals stands for them.
+    // Rings spread reflections along the radius: a fan of tilted normals approximates that.
     bool is_turned = draw.surface.y > 0.0 && metalness > 0.0;
     float gloss = 0.0;
     vec3 reflected = vec3(0.0);

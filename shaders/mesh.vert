@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A mesh that stands still; with ONGGI_BACKGROUND one that only carries photographs.
+// A static mesh; with ONGGI_BACKGROUND, one that only carries photographs.
 #include "frame.glsl"
 
 layout(push_constant) uniform DrawBlock {

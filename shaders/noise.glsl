@@ -1,4 +1,4 @@
-// Smooth random numbers from whole ones: the same on every device, since only integers are hashed.
+// Smooth noise from hashed integers, which is the same on every device.
 float hashed(ivec3 cell) {
     uvec3 k = uvec3(cell) * uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uint h = k.x ^ k.y ^ k.z;
@@ -21,7 +21,7 @@ float value_noise(vec3 p) {
     return mix(y.x, y.y, t.x);
 }
 
-// Half a level of eight bits up or down, always the same at the same pixel: gradients do not band.
+// Up to half an eight-bit level up or down, constant per pixel: prevents banding in gradients.
 vec3 dither() {
     return vec3((hashed(ivec3(gl_FragCoord.xy, 11)) - 0.5) / 255.0);
 }

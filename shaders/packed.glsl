@@ -1,4 +1,4 @@
-// Two numbers of sixteen bits, 0 to 1, in the four bytes of a texel: llvmpipe reads eight-bit texels several
+// Packs two 16-bit numbers, 0 to 1, into the four bytes of a texel: llvmpipe reads eight-bit texels several
 // times as fast as sixteen-bit ones.
 vec4 packed16(vec2 numbers) {
     vec2 whole = floor(clamp(numbers, 0.0, 1.0) * 65535.0 + 0.5);

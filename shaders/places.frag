@@ -1,13 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Where the shadow mask is to be read for a pixel of a photographed room, and how much the foot's shade counts
-// there. The colours are the photographs'.
+// For a photographed room: each pixel's coordinates in the shadow mask, and the weight of the foot's shade.
+// The colours come from the photographs.
 #include "frame.glsl"
 #include "packed.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 0) out vec4 out_foot;    // alpha, as the layer without the key light has it
+layout(location = 0) out vec4 out_foot;    // alpha, as in the layer without the key light
 layout(location = 1) out vec4 out_coords;  // as in mesh.frag
 
 void main() {

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A hand or a tool. Where the processor draws them it lights their corners alike (prop_light.cpp).
+// A hand or a tool. The CPU backend lights vertices the same way (prop_light.cpp).
 #include "tone.glsl"
 #include "hand.h"
 

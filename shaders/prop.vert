@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// A hand or a tool. What changes slowly over it is worked out here; the pixels do little.
+// A hand or a tool. Slowly varying light is computed per vertex, to keep the fragment shader short.
 #include "frame.glsl"
 #include "hand.h"
 #include "lathe_shadow.glsl"
@@ -15,9 +15,9 @@ layout(location = 2) in vec4 wear;  // tone, smear, unused, open sky
 layout(location = 0) out vec3 out_view;  // towards the eye, unit
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec4 out_albedo;   // w: roughness
-layout(location = 3) out vec3 out_ambient;  // of diffuse and mirrored light together, finished
-layout(location = 4) out vec3 out_key;      // key light that gets here
-layout(location = 5) out vec3 out_mirror;   // what is mirrored of it, straight on
+layout(location = 3) out vec3 out_ambient;  // diffuse and specular ambient light, finished
+layout(location = 4) out vec3 out_key;      // key light that arrives here
+layout(location = 5) out vec3 out_mirror;   // its reflectance at normal incidence
 layout(location = 6) flat out vec3 out_light_from;
 
 void main() {

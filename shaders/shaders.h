@@ -1,4 +1,4 @@
-// The shaders as SPIR-V inside the program, so that it needs no files beside it. Any thread; constant.
+// The shaders as SPIR-V inside the program, which needs no files beside it. Any thread; constant.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@ namespace onggi::shaders {
 
 using Spirv = std::span<const std::uint32_t>;
 
-// Where each of them comes from, for whoever compiles them again.
+// A shader's source file and definitions, for recompiling it.
 struct Source {
     const char* file = "";         // "mesh.frag"
-    const char* definitions = "";  // with a space between them
+    const char* definitions = "";  // separated by spaces
     Spirv spirv;
 };
 [[nodiscard]] std::span<const Source> sources();

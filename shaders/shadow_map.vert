@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The still life as the key light sees it: depth only.
+// The still life as seen by the key light: depth only.
 #include "frame.glsl"
 
 layout(push_constant) uniform DrawBlock {

@@ -1,7 +1,7 @@
 // The sky of this frame, see sky.h. Needs frame.glsl.
 #include "sky.h"
 
-// Radiance from a direction, blurred by a surface of this roughness.
+// Returns the radiance from a direction, blurred by a surface of this roughness.
 vec3 sky_radiance(vec3 d, float roughness) {
     vec3 radiance = mix(frame.sky_horizon.rgb, d.y > 0.0 ? frame.sky_zenith.rgb : frame.sky_nadir.rgb,
                         sky_height(d.y));
@@ -13,7 +13,7 @@ vec3 sky_radiance(vec3 d, float roughness) {
     return radiance;
 }
 
-// What a white surface facing n sends back of it.
+// Returns the sky's light that a white surface facing n reflects diffusely.
 vec3 sky_diffuse(vec3 n) {
     return sky_sum(frame.irradiance[0].rgb, frame.irradiance[1].rgb, frame.irradiance[2].rgb,
                    frame.irradiance[3].rgb, frame.irradiance[4].rgb, frame.irradiance[5].rgb,

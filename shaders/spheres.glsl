@@ -1,9 +1,9 @@
-// All of the moving spheres, always, unrolled: those that are not there lie far below everything, and are next
-// to nothing. A loop up to their count would cost more: llvmpipe takes an index for one that differs from pixel
-// to pixel, and fetches what lies there pixel by pixel. Needs frame.glsl.
+// All moving spheres, always evaluated and unrolled; unused ones are far below everything and have next to no
+// effect. A loop over their count would cost more: llvmpipe assumes that the index differs between pixels,
+// and fetches the values pixel by pixel. Needs frame.glsl.
 #include "surface.h"
 
-// How much of the key light passes them on its way to p, 0 to 1.
+// Fraction of the key light that passes them on its way to p, 0 to 1.
 float past_spheres(vec3 p) {
     vec3 l = frame.key_direction.xyz;
     float tangent = frame.key_direction.w;
@@ -11,7 +11,7 @@ float past_spheres(vec3 p) {
            past_sphere(frame.spheres[2], l, tangent, p) * past_sphere(frame.spheres[3], l, tangent, p);
 }
 
-// How much of the sky they leave.
+// Fraction of the sky that they leave visible.
 float sky_past_spheres(vec3 p, vec3 n) {
     return sky_past_sphere(frame.spheres[0], p, n) * sky_past_sphere(frame.spheres[1], p, n) *
            sky_past_sphere(frame.spheres[2], p, n) * sky_past_sphere(frame.spheres[3], p, n);

@@ -1,4 +1,4 @@
-// How surfaces answer the key light, and what passes the spheres that stand for hands.
+// Reflection of the key light by surfaces, and occlusion by the spheres that stand for hands.
 #ifndef ONGGI_SHADERS_SURFACE_H
 #define ONGGI_SHADERS_SURFACE_H
 #include "formula.h"
@@ -9,8 +9,8 @@ namespace onggi::shaders {
 
 CONSTANT float kPi = 3.14159265F;
 
-// GGX with the visibility term of B. Karis, "Real Shading in Unreal Engine 4", 2013 (Schlick's shape), folded
-// so that one division is left, which is the caller's: numerator and denominator. Times n.l.
+// GGX with the visibility term of B. Karis, "Real Shading in Unreal Engine 4", 2013 (Schlick's form), times
+// n.l. Folded into one division, which the caller does: numerator and denominator.
 FORMULA REAL ggx_over(REAL n_l, REAL roughness) {
     REAL alpha = roughness * roughness;
     return alpha * alpha * n_l;
@@ -27,27 +27,28 @@ FORMULA REAL ggx(REAL n_h, REAL n_v, REAL n_l, REAL roughness) {
     return ggx_over(n_l, roughness) / ggx_under(n_h, n_v, n_l, roughness);
 }
 
-// One over the length of view and light together: the half vector is their sum over it, so that its cosines
-// need no vector of their own.
+// One over the length of view plus light. The half vector is their sum times this, so its cosines need no
+// vector of their own.
 FORMULA REAL half_of(REAL l_v) {
     return inversesqrt(max(2.0F + 2.0F * l_v, 1e-4F));
 }
 
-// Schlick's fraction of what is mirrored at a grazing angle.
+// Schlick's Fresnel factor.
 FORMULA REAL grazing(REAL cosine) {
     REAL m = 1.0F - cosine;
     REAL m2 = m * m;
     return m2 * m2 * m;
 }
 
-// A source with a width, and light scattered under the surface, round off the edge of the lit side: below
-// `width` the cosine eases to nothing instead of stopping.
+// A light with a width, and subsurface scattering, soften the edge of the lit side: below `width` the cosine
+// eases to 0 instead of stopping.
 FORMULA REAL soft_cosine(REAL n_l, REAL width, REAL one_over_width) {
     REAL easing = max(n_l * one_over_width + 1.0F, 0.0F);
     return select(n_l > width, n_l, width * 0.25F * easing * easing);
 }
 
-// How much of the key light passes a moving sphere on its way to p, 0 to 1. `tangent`: of half its width.
+// Fraction of the key light that passes a moving sphere on its way to p, 0 to 1. `tangent`: of half the
+// light's width.
 FORMULA REAL past_sphere(VEC4 sphere, VEC3 towards_light, REAL tangent, VEC3 p) {
     REAL x = sphere.x - p.x;
     REAL y = sphere.y - p.y;
@@ -58,7 +59,7 @@ FORMULA REAL past_sphere(VEC4 sphere, VEC3 towards_light, REAL tangent, VEC3 p) 
     return select(along > 0.0F, smoothstep(-width, width, gap), 1.0F);
 }
 
-// How much of the sky it leaves: a sphere of radius r at distance d hides (r/d)^2 of what faces it.
+// Fraction of the sky that the sphere leaves visible: radius r at distance d hides (r/d)^2 of what faces it.
 FORMULA REAL sky_past_sphere(VEC4 sphere, VEC3 p, VEC3 n) {
     REAL x = sphere.x - p.x;
     REAL y = sphere.y - p.y;

@@ -1,4 +1,4 @@
-// Light to eight bits: the picture's curve, then the transfer function of the screen.
+// Encodes light in eight bits: the tone curve, then the screen's transfer function.
 #include "curve.h"
 #include "transfer.h"
 
@@ -13,7 +13,7 @@ vec3 encode(vec3 light) {
     return vec3(transferred(c.r), transferred(c.g), transferred(c.b));
 }
 
-// encode() backwards.
+// The inverse of encode().
 vec3 decode(vec3 v) {
     return curve_light(vec3(untransferred(v.r), untransferred(v.g), untransferred(v.b)));
 }

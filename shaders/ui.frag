@@ -1,6 +1,7 @@
 #version 460
-// A pixel of the overlay, already encoded for the screen and multiplied by alpha: a shaded box, or (with
-// ONGGI_PICTURE) a picture of the atlas. Two programs, because on a processor a texture costs five boxes.
+// A pixel of the overlay, already encoded for the screen and premultiplied: a shaded box, or (with
+// ONGGI_PICTURE) a picture of the atlas. Two programs, because a texture costs as much as five boxes on a
+// processor.
 #ifdef ONGGI_PICTURE
 layout(set = 0, binding = 0) uniform sampler2D pictures;
 #endif

@@ -1,8 +1,8 @@
 #version 460
-// A vertex of the overlay: pixels from the top left of the picture to clip space, pixels of the atlas to
-// 0..1.
+// A vertex of the overlay: converts pixels from the top left of the picture to clip space, and atlas pixels
+// to 0..1.
 layout(push_constant) uniform Push {
-    vec4 per_px;  // xy: clip space a pixel of the picture; zw: one over the atlas's size
+    vec4 per_px;  // xy: clip space per pixel of the picture; zw: one over the atlas's size
 };
 layout(location = 0) in vec2 position_px;
 layout(location = 1) in vec2 atlas_px;

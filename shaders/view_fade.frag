@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The last picture of the view before, laid over the one of the view that the camera was cut to.
+// The last picture of the previous view, laid over the new view after a cut.
 #include "frame.glsl"
 
 layout(set = 0, binding = kBindViewBefore) uniform sampler2D view_before;
