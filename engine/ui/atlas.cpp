@@ -7,7 +7,7 @@
 namespace onggi::ui {
 namespace {
 
-constexpr int kGapPx = 1;  // so that a filter at a painting's edge does not see its neighbour
+constexpr int kGapPx = 1;  // a filter at a painting's edge must not read its neighbour
 constexpr int kShelfStepPx = 12;
 
 const std::shared_ptr<const Painting>& clear_pixel() {
@@ -19,7 +19,7 @@ const std::shared_ptr<const Painting>& clear_pixel() {
 }  // namespace
 
 int Atlas::side_px_for(int width_px, int height_px) {
-    constexpr double kPictures = 4.0;  // that a half holds: no screen is made of more
+    constexpr double kPictures = 4.0;  // pictures per half; a screen has no more
     constexpr int kStepPx = 64;
     constexpr int kMostPx = 8192;
     const double pixels = static_cast<double>(width_px) * static_cast<double>(height_px);
@@ -46,10 +46,10 @@ std::optional<Rect> Atlas::room_for(Half& half, int width, int height) const {
         shelf.used += width + kGapPx;
         return rect;
     };
-    // A little higher than asked for, so that texts of nearly the same height share a shelf.
+    // Rounded up, so that texts of nearly the same height share a shelf.
     const int rounded = (height + kShelfStepPx - 1) / kShelfStepPx * kShelfStepPx;
     for (Shelf& shelf : half.shelves) {
-        // One half as high again would waste more than a new one.
+        // A shelf of more than one and a half times the height would waste more than a new one.
         const bool fits = height <= shelf.height && 3 * rounded >= 2 * shelf.height;
         if (fits && shelf.used + width <= side_) return take(shelf);
     }
@@ -97,7 +97,7 @@ std::optional<Rect> Atlas::replace(std::uint64_t key, const std::shared_ptr<cons
     return found;
 }
 
-// Its room on the shelf is free again only when the half is emptied.
+// The space on the shelf becomes free only when the half is emptied.
 void Atlas::forget_unasked() {
     for (Half& half : halves_) {
         std::erase_if(half.places, [&](const auto& entry) {

@@ -1,6 +1,7 @@
-// Where paintings lie in the one texture that an overlay draws from. Two halves take turns: what is new goes
-// into one of them, and when that is full the other is emptied and begun. A painting that is asked for again
-// from the half before keeps its place until then; nothing is ever moved. No Vulkan here. Main thread.
+// Places paintings in the one texture that an overlay draws from. The texture's two halves take turns: new
+// paintings go into the current half; when it is full, the other half is emptied and becomes current.
+// Paintings in the old half keep their place until it is emptied; nothing is moved. No Vulkan here. Main
+// thread.
 #pragma once
 
 #include <array>
@@ -17,9 +18,10 @@ namespace onggi::ui {
 
 class Atlas {
   public:
-    // A square texture of this many pixels a side.
+    // A square texture with sides of this many pixels.
     explicit Atlas(int side_px);
-    // For pictures of this size: as small as will do, for what lies in it lies in memory twice.
+    // Returns the side for pictures of this size: as small as possible, because the contents are in memory
+    // twice.
     [[nodiscard]] static int side_px_for(int width_px, int height_px);
 
     struct Upload {
@@ -28,24 +30,24 @@ class Atlas {
         std::shared_ptr<const Painting> painting;
     };
 
-    // Where the painting with this key lies, pixels; it is taken in if it is not there yet. Nothing when it
-    // is larger than a half. Flips halves when the current one is full: paintings asked for since
-    // begin_frame() may then have lost their place, and generation() has changed: ask for all of them again.
+    // Returns the place of the painting with this key, in pixels; adds the painting if it is missing. Empty
+    // if the painting is larger than a half. If the current half is full, the halves are swapped and
+    // generation() changes; paintings placed since begin_asking() may then have lost their place, so place
+    // all of them again.
     [[nodiscard]] std::optional<Rect> place(std::uint64_t key,
                                             const std::shared_ptr<const Painting>& painting);
 
-    // Another painting of the same size in the place of the one with this key; as place() where there is
-    // none.
+    // Replaces the painting with this key by another of the same size; like place() if there is none.
     [[nodiscard]] std::optional<Rect> replace(std::uint64_t key,
                                               const std::shared_ptr<const Painting>& painting);
 
-    // From here on, what is asked for counts as wanted.
+    // Starts a round: paintings that are placed or replaced from now on are in use.
     void begin_asking() { ++asking_; }
-    // What was not asked for since begin_asking() loses its place. So that nobody keeps its painting for a
-    // place that nobody draws from, one clear pixel is uploaded over its corner.
+    // Removes the paintings that were not used since begin_asking(). A clear pixel is uploaded over each
+    // one's corner, so that its painting is not kept in memory for a place that is never drawn.
     void forget_unasked();
 
-    // What is to be copied into the texture before it is drawn from; it is taken away.
+    // Returns the uploads to copy into the texture before drawing from it, and clears the list.
     [[nodiscard]] std::vector<Upload> take_uploads();
     // How often a half has been emptied.
     [[nodiscard]] std::uint64_t generation() const { return generation_; }
@@ -59,7 +61,7 @@ class Atlas {
     };
     struct Place {
         Rect rect;
-        std::uint64_t asked = 0;  // the asking_ in which it was asked for last
+        std::uint64_t asked = 0;  // value of asking_ when it was last used
     };
     struct Half {
         int top = 0;

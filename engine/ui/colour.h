@@ -1,4 +1,4 @@
-// A colour as a designer writes it, and the contrast of two as WCAG 2.1 counts it. Any thread.
+// Colours as designers write them, and the contrast of two colours by WCAG 2.1. Any thread.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ struct Colour {
             from.b + (to.b - from.b) * fraction, from.a + (to.a - from.a) * fraction};
 }
 
-// What is seen of `top` laid over an opaque `below`.
+// `top` composed over an opaque `below`.
 [[nodiscard]] constexpr Colour over(const Colour& top, const Colour& below) {
     return mix(below, top.with_alpha(1.0F), top.a).with_alpha(1.0F);
 }
@@ -40,7 +40,7 @@ struct Colour {
         {linear_from_srgb(colour.r), linear_from_srgb(colour.g), linear_from_srgb(colour.b)});
 }
 
-// Of two opaque colours.
+// Contrast ratio of two opaque colours.
 [[nodiscard]] inline float contrast(const Colour& one, const Colour& other) {
     return onggi::contrast(luminance(one), luminance(other));
 }

@@ -1,5 +1,5 @@
-// What an overlay draws, as vertices: boxes shaded between their corners, pictures from the atlas, and lines
-// with soft edges. Any thread; one writer. Pixels from the top left corner of the picture, y down.
+// The vertices that an overlay draws: boxes shaded between their corners, pictures from the atlas, and
+// anti-aliased lines. Any thread; one writer. Pixels from the top left corner of the picture, y down.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ namespace onggi::ui {
 struct Vertex {
     vec2 position_px{0.0F};
     vec2 atlas_px{0.0F};
-    std::uint32_t rgba = 0;  // red lowest; already multiplied by alpha
+    std::uint32_t rgba = 0;  // red lowest; premultiplied
 };
 
-// A stretch of indices that one pipeline draws.
+// A range of indices that one pipeline draws.
 struct Run {
     bool from_atlas = false;
     std::uint32_t first_index = 0;
@@ -32,20 +32,21 @@ class DrawList {
     void add_box(const Rect& rect, const Colour& colour);
     // Corners: top left, top right, bottom right, bottom left.
     void add_box(const Rect& rect, const std::array<Colour, 4>& corners);
-    // Counter-clockwise or not; convex.
+    // Convex, in either winding order.
     void add_polygon(std::span<const vec2> corners, const Colour& colour);
-    // Of this width, and one pixel more on each side in which it fades away.
+    // The line fades out over one more pixel on each side.
     void add_line(std::span<const vec2> points, float width_px, const Colour& colour);
-    // With a soft edge.
+    // Has a soft edge.
     void add_disc(vec2 centre, float radius_px, const Colour& colour);
-    // A whole picture of the atlas, pixel by pixel, on the whole pixel nearest to this upper left corner;
-    // alpha multiplies it.
+    // Draws a whole picture of the atlas, unscaled, with its upper left corner rounded to whole pixels;
+    // `alpha` multiplies it.
     void add_picture(vec2 corner_px, const Rect& in_atlas_px, float alpha);
 
     [[nodiscard]] std::span<const Vertex> vertices() const { return vertices_; }
     [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
     [[nodiscard]] std::span<const Run> runs() const { return runs_; }
-    // Of all that is drawn: two lists with the same hash draw the same, as long as the atlas holds.
+    // Hash of everything that is drawn: lists with equal hashes draw the same, as long as the atlas's
+    // contents do not change.
     [[nodiscard]] std::uint64_t hash() const;
 
   private:
@@ -57,7 +58,7 @@ class DrawList {
     std::vector<Run> runs_;
 };
 
-// Multiplied by alpha, eight bits each, red lowest.
+// Premultiplied, eight bits per channel, red lowest.
 [[nodiscard]] std::uint32_t packed(const Colour& colour);
 
 }  // namespace onggi::ui

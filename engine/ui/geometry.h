@@ -1,4 +1,4 @@
-// Places on a screen. Any thread. x right, y down; the unit is the user's: u of a design or pixels.
+// Rectangles on a screen. Any thread. x right, y down; the unit is the user's: u of a design or pixels.
 #pragma once
 
 #include <algorithm>

@@ -21,7 +21,7 @@
 
 namespace onggi::ui {
 
-// What of Pango's the painter holds.
+// RAII handles for Pango's objects.
 struct Unreference {
     void operator()(void* object) const { g_object_unref(object); }
 };
@@ -31,7 +31,7 @@ using Layout = std::unique_ptr<PangoLayout, Unreference>;
 
 namespace {
 
-// Cairo, in the few words that this file needs of it. Lengths are pixels unless said.
+// Drawing with Cairo. Lengths are pixels unless stated otherwise.
 struct DestroySurface {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
@@ -77,7 +77,7 @@ void set_fill(cairo_t* cairo, const Fill& fill, const Rect& rect) {
     const double x = double{rect.x};
     const double y = double{rect.y};
     if (fill.kind == Fill::Kind::kRound) {
-        // Within the circle about the rect's middle that its height makes, stretched to its width.
+        // Maps the ellipse in the rect to the unit circle.
         pattern.reset(cairo_pattern_create_radial(0.0, 0.0, 0.0, 0.0, 0.0, 1.0));
         cairo_matrix_t to_unit;
         cairo_matrix_init_scale(&to_unit, 2.0 / double{rect.width}, 2.0 / double{rect.height});
@@ -93,7 +93,7 @@ void set_fill(cairo_t* cairo, const Fill& fill, const Rect& rect) {
     cairo_set_source(cairo, pattern.get());
 }
 
-// Three passes of a running mean are within 3 % of a Gaussian (W. M. Wells, 1986).
+// Three passes of a box filter approximate a Gaussian within 3 % (W. M. Wells, 1986).
 void blur_alpha(std::uint8_t* pixels, int width, int height, int stride, int radius) {
     std::vector<std::uint8_t> line(static_cast<std::size_t>(std::max(width, height)));
     const auto blur_line = [&](std::uint8_t* first, int count, int step) {
@@ -206,7 +206,7 @@ void draw(cairo_t* cairo, const Ellipse& ellipse) {
 
 void draw(cairo_t* cairo, const Shape& shape) {
     const auto steps = read_path(shape.path);
-    if (!steps) return;  // the paths are the program's own, and a test reads every one of them
+    if (!steps) return;  // paths are built in, and a test reads all of them
     cairo_save(cairo);
     place(cairo, shape.placing);
     trace(cairo, *steps);
@@ -259,7 +259,7 @@ void draw(cairo_t* cairo, const Picture& picture) {
     cairo_restore(cairo);
 }
 
-// Leaves what is drawn so far whole at one point and nothing of it at the other.
+// Fades out what has been drawn so far, from opaque at one point to transparent at the other.
 void fade(cairo_t* cairo, const Sketch::Fade& fade) {
     const Pattern pattern(cairo_pattern_create_linear(double{fade.whole.x}, double{fade.whole.y},
                                                       double{fade.gone.x}, double{fade.gone.y}));
@@ -285,7 +285,7 @@ Painting read(cairo_surface_t* surface) {
     for (int y = 0; y < painting.height; ++y) {
         const std::uint8_t* row = from + static_cast<std::ptrdiff_t>(y) * stride;
         for (int x = 0; x < painting.width; ++x, row += 4, to += 4) {
-            // Cairo keeps a pixel as one word, alpha highest.
+            // Cairo stores a pixel as one word, alpha highest.
             std::uint32_t word = 0;
             std::memcpy(&word, row, sizeof word);
             to[0] = static_cast<std::uint8_t>(word >> 16U);
@@ -297,12 +297,12 @@ Painting read(cairo_surface_t* surface) {
     return painting;
 }
 
-// Pango, in the few words that this file needs of it.
+// Text layout with Pango.
 int pango_units(float px) {
     return static_cast<int>(std::lround(px * PANGO_SCALE));
 }
 
-// Korean is read in words; Unicode's rules would break a line between any two syllables.
+// Korean text must break between words; Unicode's rules would allow a break between any two syllables.
 void keep_korean_words_whole(PangoAttrList* attributes, const std::string& words) {
     const char* const begin = words.c_str();
     const char* word = begin;
@@ -326,21 +326,21 @@ void keep_korean_words_whole(PangoAttrList* attributes, const std::string& words
 }
 
 FontMap create_font_map() {
-    // The first font map has fontconfig read its files in a thread of Pango's. Another thread that asks
-    // fontconfig for anything just then reads them too, and the two spoil each other's memory (issue 784 of
-    // Pango). Read here, once, both find it done.
+    // The first font map makes Pango read fontconfig's files in a thread of its own. Another thread that
+    // calls fontconfig at that moment reads them too, and the two corrupt each other's memory (issue 784 of
+    // Pango). FcInit() here, once, loads them before either does.
     static const FcBool has_fonts = FcInit();
     static_cast<void>(has_fonts);
     return FontMap(pango_cairo_font_map_new());
 }
 
-// Grey edges and no hinting: the same letters at the same places on every screen.
+// Grey antialiasing and no hinting: the same glyphs at the same positions on every screen.
 Context create_context(PangoFontMap* fonts) {
-    // At 72 dots an inch one point is one pixel.
+    // At 72 dpi one point is one pixel.
     pango_cairo_font_map_set_resolution(PANGO_CAIRO_FONT_MAP(fonts), 72.0);
     Context context(pango_font_map_create_context(fonts));
-    // Letters stand where their widths put them, not on whole pixels: a line that was measured at one size
-    // would be wider at another, and lose its last word to a line that nobody sees.
+    // Glyph positions are not rounded to pixels. Otherwise a line that was measured at one size could be
+    // wider at another, and its last word would wrap into a line that is not visible.
     pango_context_set_round_glyph_positions(context.get(), FALSE);
     cairo_font_options_t* options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
@@ -351,7 +351,7 @@ Context create_context(PangoFontMap* fonts) {
     return context;
 }
 
-// The text laid out at `px_per_u`; width 0 is one line. Alignment is within `box_width_px`.
+// Lays out the text at `px_per_u`; width 0 means one line. Alignment is within `box_width_px`.
 Layout lay_out(PangoContext* context, const Text& text, float px_per_u, float box_width_px) {
     const TextStyle& style = text.style;
     Layout layout(pango_layout_new(context));
@@ -369,7 +369,8 @@ Layout lay_out(PangoContext* context, const Text& text, float px_per_u, float bo
     keep_korean_words_whole(attributes, text.words);
     pango_layout_set_attributes(layout.get(), attributes);
     pango_attr_list_unref(attributes);
-    // The direction is the paragraph's, not that of its first letter: "(1.7 l)" stands right in Arabic too.
+    // The direction is the paragraph's, not that of its first letter: "(1.7 l)" is also placed correctly in
+    // Arabic.
     pango_layout_set_auto_dir(layout.get(), FALSE);
     pango_context_set_base_dir(context, style.right_to_left ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
     pango_layout_context_changed(layout.get());
@@ -377,7 +378,7 @@ Layout lay_out(PangoContext* context, const Text& text, float px_per_u, float bo
     pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD);
     const float wrap_px = text.width > 0.0F ? text.width * px_per_u : box_width_px;
     pango_layout_set_width(layout.get(), wrap_px > 0.0F ? pango_units(wrap_px) : -1);
-    // Without auto_dir Pango's left is the page's left, whatever the paragraph's direction.
+    // Without auto_dir, Pango's left is the page's left, whatever the paragraph's direction.
     PangoAlignment alignment = PANGO_ALIGN_CENTER;
     if (style.align != Align::kCentre) {
         alignment =
@@ -387,7 +388,7 @@ Layout lay_out(PangoContext* context, const Text& text, float px_per_u, float bo
     return layout;
 }
 
-// Of a layout of it, at whatever size.
+// Returns the size of the text from its layout at any scale.
 TextSize size_of(PangoLayout* layout, const Text& text) {
     PangoRectangle logical{};
     pango_layout_get_extents(layout, nullptr, &logical);
@@ -402,7 +403,7 @@ TextSize size_of(PangoLayout* layout, const Text& text) {
     return size;
 }
 
-// What measuring depends on, as one key.
+// Key of everything that a measurement depends on.
 std::string key_of(const Text& text) {
     std::string key = text.words;
     key += '\0';
@@ -421,9 +422,9 @@ std::string key_of(const Text& text) {
 
 constexpr std::size_t kMostRemembered = 4096;
 
-// The size of letters at which all text is measured: for each new one Pango has fontconfig sort the machine's
-// fonts, and who looks for the largest size that fits asks for many. Half a unit of Pango's more than whole
-// ones: it cuts off the rest.
+// All text is measured at this glyph size: for each new size Pango makes fontconfig sort the machine's fonts,
+// and a search for the largest size that fits tries many. The extra half of a Pango unit compensates for
+// truncation.
 constexpr float kMeasuredPx = 64.0F + 0.5F / PANGO_SCALE;
 
 thread_local std::uint64_t work_done = 0;
@@ -452,8 +453,8 @@ TextSize Painter::measure(const Text& text) {
     return size;
 }
 
-// Line by line, each in the middle of its line height, as a browser does; Pango's own spacing depends on
-// whichever fallback font a line happens to use.
+// Writes line by line, each centred in its line height, as a browser does; Pango's own line spacing depends
+// on the fallback fonts that a line uses.
 void Painter::Impl::write(cairo_t* cairo, const Writing& writing, float px_per_u) const {
     const TextStyle& style = writing.text.style;
     const Layout layout = lay_out(context.get(), writing.text, px_per_u, writing.box_width * px_per_u);

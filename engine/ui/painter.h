@@ -1,6 +1,6 @@
 // Turns sketches into pictures, with Cairo for shapes and Pango for text: shaping, right-to-left, line breaks
-// and fallback between fonts. This room is the only user of both. One thread at a time, but any: kiosks paint
-// beside the frame, because a first label costs tens of ms and later ones up to thirty.
+// and font fallback. This room is the only user of both. Any thread, but one at a time: kiosks paint outside
+// the frame, because a first label costs tens of ms and later ones up to thirty.
 #pragma once
 
 #include <cstdint>
@@ -22,15 +22,15 @@ class Painter {
     Painter(const Painter&) = delete;
     Painter& operator=(const Painter&) = delete;
 
-    // Remembered, so that asking again costs a look-up.
+    // Results are cached.
     [[nodiscard]] TextSize measure(const Text& text);
     [[nodiscard]] Painting paint(const Sketch& sketch);
 
-    // How many texts and pictures the calling thread has laid out or painted so far, with whatever painter: a
-    // frame may have none of them.
+    // Number of texts and pictures that the calling thread has laid out or painted so far, with any painter.
+    // Frames must not do any.
     [[nodiscard]] static std::uint64_t work_of_this_thread();
 
-    // Those of `families` that this machine has not. A missing one is replaced by the nearest there is.
+    // Returns those of `families` that are not installed. Pango replaces a missing family by the nearest one.
     [[nodiscard]] std::vector<std::string> missing_families(std::span<const std::string> families) const;
 
   private:

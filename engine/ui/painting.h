@@ -1,4 +1,4 @@
-// A painted picture in memory, on its way to the atlas. Any thread; not changed once made.
+// A painted picture in memory, on its way to the atlas. Any thread; immutable once made.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace onggi::ui {
 
-// Rows from the top, four bytes a pixel: red, green, blue (sRGB-encoded, already multiplied by alpha), alpha.
+// Rows from the top, four bytes per pixel: red, green, blue (sRGB-encoded, premultiplied), alpha.
 struct Painting {
     int width = 0;
     int height = 0;

@@ -44,7 +44,7 @@ class PathReader {
         skip_spaces();
         const char* const begin = words_.data() + at_;
         const auto [end, error] = std::from_chars(begin, words_.data() + words_.size(), value);
-        // No drawing is that large, and arcs square what they are given.
+        // Larger than any drawing; arcs square their numbers, which must not overflow.
         constexpr float kMost = 1e6F;
         if (error != std::errc() || !(std::abs(value) <= kMost)) return false;
         at_ += static_cast<std::size_t>(end - begin);
@@ -75,7 +75,7 @@ class PathReader {
                 if (!point(to)) return wrong("two numbers");
                 steps_.push_back({PathStep::Kind::kMove, to, {}, {}});
                 here_ = start_ = to;
-                command_ = is_relative() ? 'l' : 'L';  // what follows a move without a word of its own
+                command_ = is_relative() ? 'l' : 'L';  // further points after a move are lines
                 return {};
             case 'L':
                 if (!point(to)) return wrong("two numbers");
@@ -113,7 +113,7 @@ class PathReader {
         }
     }
 
-    // SVG 1.1, appendix F.6: from end points to a centre, then cubic curves of at most a quarter turn.
+    // SVG 1.1, appendix F.6: converts end points to a centre, then to cubic curves of at most a quarter turn.
     Result<void> arc() {
         vec2 radius{0.0F};
         float turn_degrees = 0.0F;
@@ -125,7 +125,7 @@ class PathReader {
             return wrong("seven numbers");
         }
         radius = glm::abs(radius);
-        constexpr float kLeast = 1e-4F;  // what is shorter is a point, or a straight line
+        constexpr float kLeast = 1e-4F;  // shorter arcs are points or straight lines
         if (radius.x < kLeast || radius.y < kLeast || glm::length(to - here_) < kLeast) {
             line_to(to);
             return {};

@@ -1,5 +1,5 @@
-// A drawing's path, read from the words in which SVG writes one: M L H V C Q A Z, each also small for
-// "from here". Any thread. Lengths are the path's own.
+// Reads an SVG path with the commands M L H V C Q A Z, and their lower-case, relative forms. Any thread.
+// Lengths are the path's own.
 #pragma once
 
 #include <string_view>
@@ -18,8 +18,8 @@ struct PathStep {
     vec2 second_control{0.0F};
 };
 
-// Quadratic curves and arcs come out as cubic ones. Bad input: a word that is none of the above, a missing or
-// broken number, a path that does not begin with a move; the message says at which letter.
+// Returns quadratic curves and arcs as cubic curves. Bad input: another command, a missing or malformed
+// number, a path that does not begin with a move; the message gives the position.
 Result<std::vector<PathStep>> read_path(std::string_view words);
 
 }  // namespace onggi::ui

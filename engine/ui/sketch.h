@@ -1,6 +1,6 @@
-// What a picture should show, as plain data: boxes, strokes, shadows, text. A Painter turns it into pixels;
-// two equal sketches give equal pictures, so that a picture is painted once and kept by its sketch's hash.
-// Any thread. Lengths are u from the top left corner.
+// A picture's contents as plain data: boxes, strokes, shadows, text. A Painter turns it into pixels. Equal
+// sketches yield equal pictures, so a picture is painted once and cached by its sketch's hash. Any thread.
+// Lengths are u from the top left corner.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace onggi::ui {
 
-// One colour, or two with a line or a circle between them.
+// One colour, or a linear or radial gradient between two.
 struct Fill {
     enum class Kind { kFlat, kDown, kAcross, kRound };
     Kind kind = Kind::kFlat;
@@ -29,10 +29,10 @@ struct Fill {
     static Fill round(const Colour& centre, const Colour& rim) { return {Kind::kRound, centre, rim}; }
 };
 
-// Where a path drawn about its own origin goes: scaled, then turned, then moved.
+// Transform of a path: scaled about its own origin, then rotated, then moved.
 struct Placing {
     vec2 at{0.0F};
-    vec2 scale{1.0F};  // a negative x flips
+    vec2 scale{1.0F};  // negative x mirrors
     float turn_rad = 0.0F;
 };
 
@@ -41,39 +41,39 @@ struct Box {
     float radius = 0.0F;
     Fill fill;
 };
-struct Frame {  // a line inside the rect's edge
+struct Frame {  // a border inside the rect's edge
     Rect rect;
     float radius = 0.0F;
     float width = 2.0F;
     Colour colour;
 };
-struct Shadow {  // soft, of a box
+struct Shadow {  // soft shadow of a box
     Rect rect;
     float radius = 0.0F;
-    float blur = 8.0F;  // how far it reaches beyond the rect
+    float blur = 8.0F;  // how far it extends beyond the rect
     Colour colour;
 };
 struct Ellipse {
     Rect rect;
     Fill fill;
 };
-// A path in the words of SVG (see path.h). Round ends and joins.
+// An SVG path (see path.h) with round ends and joins.
 struct Shape {
     std::string path;
     Placing placing{};
     std::optional<Colour> fill{};
     std::optional<Colour> stroke{};
-    float stroke_width = 3.6F;  // in the path's own unit
-    float dash = 0.0F;          // 0: unbroken; else dots this far apart
+    float stroke_width = 3.6F;  // in the path's units
+    float dash = 0.0F;          // 0: solid; else the distance between dots
 };
 struct Writing {
     vec2 at{0.0F};  // top left of the text's box
     Text text;
-    float box_width = 0.0F;  // what alignment refers to; 0: the text's own width
+    float box_width = 0.0F;  // alignment is relative to it; 0: the text's own width
 };
 struct Picture {
     std::shared_ptr<const Painting> painting;
-    std::uint64_t hash = 0;  // of what it shows
+    std::uint64_t hash = 0;  // of its contents
     Rect rect;
     float brightness = 1.0F;
 };
@@ -84,7 +84,7 @@ struct Sketch {
     vec2 size{0.0F};
     float px_per_u = 1.0F;
     std::vector<SketchItem> items{};
-    // Whole above, gone below this line: alpha 1 at the first point, 0 at the second.
+    // Fades the picture out: alpha 1 at `whole`, 0 at `gone`.
     struct Fade {
         vec2 whole{0.0F};
         vec2 gone{0.0F};

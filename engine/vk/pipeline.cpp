@@ -192,7 +192,7 @@ Result<Sampler> create_sampler(const Device& device, const SamplerDesc& desc, st
 
 namespace {
 
-// Of what, its writer adds.
+// The caller fills in pBufferInfo, pImageInfo or pTexelBufferView.
 VkWriteDescriptorSet one_write(VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type) {
     return {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
             .dstSet = set,
