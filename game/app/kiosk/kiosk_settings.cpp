@@ -42,7 +42,7 @@ Result<kiosk::Language> language_of(const std::string& code, const fs::path& fol
                                  folder.empty() ? fs::path(code + ".tsv").string() : file.string(), code));
 }
 
-// Read as a kiosk's settings are: what is in it is said as there.
+// Has the format of a kiosk's settings.
 constexpr const char* kKeptSettings = "staff.toml";
 
 }  // namespace
@@ -79,7 +79,7 @@ void take_kept_house(KioskSettings& settings) {
         settings.rules.default_language = static_cast<int>(known - settings.languages->begin());
 }
 
-// Words grow where the settings ask for it, but not out of their boxes; targets do not.
+// Text grows with the configured distance, within its box; targets do not grow.
 std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, int height_px) {
     const double inches = config.screen.diagonal_inch;
     const double px_per_mm = screens::px_per_mm(width_px, height_px, inches);
@@ -137,14 +137,14 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     if (targets) {
         settings.targets = *targets;
     } else {
-        settings.remarks.push_back(targets.error().message);  // free throwing needs none
+        settings.remarks.push_back(targets.error().message);  // free throwing works without targets
     }
     ExhibitWords words{.cards = {}, .languages = *settings.languages};
     if (targets) {
         if (auto cards = heritage::load_cards(*folder, settings.targets)) {
             words.cards = std::move(*cards);
         } else {
-            settings.remarks.push_back(cards.error().message);  // pots stand on the shelf without them
+            settings.remarks.push_back(cards.error().message);  // the shelf works without cards
         }
     }
     settings.exhibits = std::make_shared<const std::vector<screens::Exhibit>>(

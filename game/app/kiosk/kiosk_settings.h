@@ -1,4 +1,4 @@
-// What a kiosk starts with: its configuration, its languages, its pots of museums. Main thread; blocks.
+// The settings of a kiosk at its start: configuration, languages, heritage pots. Main thread; blocks.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@
 
 namespace onggi::app {
 
-// How often the kiosk's wheel ticks: as the settings say (0: nothing), else at the finer rate where the
-// kernel keeps deadlines for us. Hz.
+// The tick rate of the haptic loop, Hz: the configured rate, or for 0 a default, which is higher if the
+// kernel grants real-time scheduling.
 [[nodiscard]] constexpr double tick_rate_hz(double wanted_hz, bool keeps_deadlines) {
     constexpr double kRealTimeRateHz = 4000.0;
     constexpr double kPlainRateHz = 1000.0;
@@ -27,21 +27,22 @@ struct KioskSettings {
     kiosk::Rules rules;
     std::shared_ptr<const std::vector<kiosk::Language>> languages;  // in the configuration's order
     std::vector<heritage::Target> targets;
-    std::vector<std::size_t> exhibit_places;  // of each exhibit, in `targets`
+    std::vector<std::size_t> exhibit_places;  // index into `targets` of each exhibit
     std::shared_ptr<const std::vector<screens::Exhibit>> exhibits;
     std::shared_ptr<const std::vector<screens::Exhibit>> relatives;  // all of `targets`, in their order
-    std::vector<std::string> remarks;  // what is not as it should be, and does not matter enough to stop
+    std::vector<std::string> remarks;                                // problems that need not stop the start
 };
 
-// Where the wheel keeps what it needs itself: the visit in progress, what an interrupted one left.
+// The folder of the program's own state: the visit in progress, the rest of an interrupted visit.
 [[nodiscard]] inline std::filesystem::path state_folder(const std::filesystem::path& gallery) {
     return gallery / "state";
 }
-// Where visits are counted, and what the staff has set is kept.
+// The folder of the statistics and of the staff's settings.
 [[nodiscard]] std::filesystem::path statistics_folder(const kiosk::Config& config);
 
-// What the staff has set for every visit to begin with, kept in that folder and, where the settings want it
-// so, taken from there at the next start; a language that is no longer among the settings' is passed over.
+// The defaults that the staff set for every visit. keep_house() stores them in that folder;
+// take_kept_house() applies them at the next start if sound.remember_staff is set, and skips a language that
+// the settings no longer list.
 struct HouseDefaults {
     int volume = 3;        // 0 to kiosk::kMostVolume
     std::string language;  // code
@@ -49,17 +50,17 @@ struct HouseDefaults {
 Result<void> keep_house(const std::filesystem::path& folder, const HouseDefaults& house);
 void take_kept_house(KioskSettings& settings);
 
-// What a picture of that size cannot keep on the panel and at the distance of the settings: a line each for
-// words that stay too small to be read and targets that are too small to be touched.
+// Checks a picture of that size on the configured panel and at the configured distance. Returns a line each
+// for text that stays too small to read and targets too small to touch.
 [[nodiscard]] std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, int height_px);
 
 // Errors as of files::read_file() and kiosk::read_config().
 Result<kiosk::Config> read_config_file(const std::string& file);
-// `config_file` empty: defaults. Bad input: what the file, or a table of its languages folder, says wrong; a
-// language of the order that neither is built in nor has a table.
+// Returns defaults if `config_file` is empty. Bad input: an error in the file or in a table of its languages
+// folder; a listed language that is neither built in nor has a table.
 Result<KioskSettings> load_settings(const std::string& config_file);
-// A museum's typing error must not leave a visitor before a dark screen: where that file's settings cannot be
-// used, those of `other_file`, and a remark that says so. Bad input: neither can; empty: there is no other.
+// Falls back to `other_file` with a remark if `config_file` is invalid, so that a typing error does not leave
+// the screen dark. Bad input: both are invalid, or the first is and `other_file` is empty.
 Result<KioskSettings> load_settings(const std::string& config_file, const std::string& other_file);
 
 }  // namespace onggi::app

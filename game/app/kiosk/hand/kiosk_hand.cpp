@@ -13,30 +13,30 @@ namespace {
 constexpr double kDrawnWithinMm = 6.0;
 constexpr double kGrowsS = 0.5;
 
-// 1 in the middle, and at the edge nothing, without a corner on the way.
+// Smooth weight: 1 at the outline, 0 from kDrawnWithinMm on.
 double faded(double distance_mm) {
     const double fraction = std::min(std::abs(distance_mm) / kDrawnWithinMm, 1.0);
     const double rest = 1.0 - fraction * fraction;
     return rest * rest;
 }
 
-// The finger may go where the pot is and around it, not behind the picture.
+// Limits the finger to the pot and its surroundings.
 constexpr double kReachMm = 260.0;
-// Farther than any hand goes in a frame: another finger, or a screen that is wrong.
+// Farther than a hand moves in a frame: another finger, or a faulty touch screen.
 constexpr double kLeapMm = 120.0;
 constexpr double kRestsAfterS = 4.0;
-constexpr dvec2 kRestingMm{230.0, 45.0};  // over the pan's edge, out of reach of any clay
+constexpr dvec2 kRestingMm{230.0, 45.0};  // over the pan's edge, away from all clay
 constexpr double kBesideMm = 15.0;
-// Of who types faster than hands work.
+// Limits the queue if keys arrive faster than the hands work.
 constexpr std::size_t kMostWaiting = 3;
 constexpr std::array kToolRadiiMm{7.0, 12.0, 20.0};
 constexpr std::array kLoopRadiiMm{4.0, 7.0, 11.0};
 constexpr std::array kWater{0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr std::array kSpeedsRevMin{50.0, 80.0, 110.0, 145.0, 180.0};
 
-constexpr double kWireBelowRimMm = 6.0;  // where it is held at first
-constexpr double kWireStepMm = 1.0;      // of a key
-constexpr double kLowestCut = 0.5;       // of the height
+constexpr double kWireBelowRimMm = 6.0;  // initial height of the wire
+constexpr double kWireStepMm = 1.0;      // per key press
+constexpr double kLowestCut = 0.5;       // fraction of the height
 
 haptics::ToolKind kind_of(kiosk::Held held) {
     switch (held) {
@@ -73,7 +73,7 @@ double outline_help_after(int steps_done) {
 
 void OutlineHelp::set(std::span<const vec2> radius_height, double strength) {
     strength_ = radius_height.size() < 2 || !std::isfinite(strength) ? 0.0 : std::clamp(strength, 0.0, 1.0);
-    // The old one stays while its help goes.
+    // The old outline stays while its help fades out.
     if (strength_ > 0.0) outline_mm_.assign(radius_height.begin(), radius_height.end());
 }
 
@@ -202,7 +202,7 @@ void KioskHand::work_off_keys(const pot::Pot& shape) {
     }
 }
 
-// By its own touches, by whoever presses, or aside.
+// Follows a synthetic touch, else the pressing input, else goes aside.
 dvec2 KioskHand::finger_now(const pot::Pot& shape, double dt_s) {
     if (touch_.runs()) {
         touch_.pass_time(dt_s);
@@ -218,7 +218,7 @@ dvec2 KioskHand::finger_now(const pot::Pot& shape, double dt_s) {
     return help_.drawn(finger_mm_);
 }
 
-// Between one touch and the next lies a frame without, or the clay would take them for one.
+// Separates two touches by one frame without pressing, or the clay would take them for one touch.
 bool KioskHand::presses_now() {
     const bool presses = presser_ != Presser::kNobody || touch_.presses();
     const bool is_another = pressing_ && *pressing_ != touches_;
@@ -226,7 +226,7 @@ bool KioskHand::presses_now() {
     return pressing_.has_value();
 }
 
-// A finger takes the line along, a key moves it; nothing presses the clay.
+// A finger drags the wire's line, a key moves it; neither presses the clay.
 void KioskHand::hold_wire(const pot::Pot& shape) {
     if (!wire_mm_) wire_mm_ = shape.height_mm - kWireBelowRimMm;
     if (presser_ != Presser::kNobody) wire_mm_ = finger_mm_.y;

@@ -1,6 +1,6 @@
-// The visitor's hand as pointer, gamepad, keys and buttons make it: a finger on the upright plane through the
-// axis, which skilled hands follow in the clay while it presses; and what the settings on the ledge make of
-// it. Pure state, no window and no clock, so that tests play the visitor. Main thread. mm, s.
+// Turns pointer, gamepad, keys, buttons and the ledge's settings into the request for the tool: a finger on
+// the upright plane through the axis, which the skilled hands follow in the clay while it presses. Pure
+// state, no window and no clock, so that tests can play the visitor. Main thread. mm, s.
 #pragma once
 
 #include <cstdint>
@@ -18,75 +18,76 @@
 
 namespace onggi::app {
 
-// Helps a finger along a drawn outline: near it the finger is drawn to it a little, so that a hand that
-// trembles still throws the pot that it was shown. Pure state, main thread. mm, s.
+// Helps a finger along a shown outline: it pulls a nearby finger a little towards the outline, so that a
+// trembling hand still throws the shown pot. Pure state, main thread. mm, s.
 
-// How much a visitor is helped who has done so many steps of the lesson: less, the more they can. 0 to 1.
+// Strength of the help, 0 to 1. It decreases with the steps of the lesson that are done.
 [[nodiscard]] double outline_help_after(int steps_done);
 
 class OutlineHelp {
   public:
-    // Radius and height from below, as app::wet_outline(); empty: none. strength: 0 none to 1 all the help.
+    // Radius and height from below, as app::wet_outline(); empty: no help. strength: 0 (no help) to 1.
     void set(std::span<const vec2> radius_height, double strength);
-    // So that help which comes or goes is not felt to.
+    // Fades the help in and out, so that the change is not felt.
     void pass_time(double dt_s);
-    // Where the finger is taken to be. Never farther from the outline than it is, nor on its other side.
+    // Returns the corrected finger. It is never farther from the outline than the finger, nor on its other
+    // side.
     [[nodiscard]] dvec2 drawn(const dvec2& finger_mm) const;
 
   private:
     std::vector<vec2> outline_mm_;
-    double strength_ = 0.0;  // as wished
+    double strength_ = 0.0;  // target of the fade
     double now_ = 0.0;
 };
 
 struct HandSettings {
     kiosk::Held held = kiosk::Held::kHand;
-    int tool = 2;        // 1 to 3: how large
+    int tool = 2;        // size, 1 to 3
     int water = 3;       // 1 to 5
     int speed = 3;       // 1 to 5
-    bool trims = false;  // with a trimmer, whose loop is `tool` large, instead of what is held
+    bool trims = false;  // uses a trimmer with a loop of size `tool` instead of `held`
 };
 
-// A hand that does nothing, aside of any clay.
+// An idle hand away from the clay.
 [[nodiscard]] haptics::ToolState resting_hand();
 
 class KioskHand {
   public:
-    // A finger or a pressed mouse at a place on that plane. It takes over from whatever pressed before. What
-    // is no number, or leaps across the screen from one frame to the next, is no finger: it lets go.
+    // A finger or a pressed mouse at a place on that plane. It takes over from any other input. A place that
+    // is not a number, or jumps farther than a hand moves in a frame, releases the finger.
     void press(const dvec2& place_mm);
     void drag(const dvec2& place_mm);
-    // Nothing presses any more, whoever did.
+    // Ends the touch of any input.
     void release();
-    // A mouse that only hovers.
+    // A hovering mouse.
     void hover(const dvec2& place_mm);
-    // A gamepad, once a frame: the finger goes on by so much, and presses or not. The first step on new clay
-    // brings it beside the clay, low on that side: +1 right, -1 left.
+    // A gamepad, once a frame: moves the finger by `step_mm`, and presses or not. The first step on new clay
+    // puts the finger beside the clay, low on `side`: +1 right, -1 left.
     void steer(const dvec2& step_mm, bool presses, const pot::Pot& shape, double side);
     // An arrow key, and a button of the pad on the screen.
     void key(HandKey key, double side) { ask_for({key, false, side}); }
     void button(HandKey key, double side) { ask_for({key, true, side}); }
 
-    // Plays a step of the lesson on the clay that is there. Any finger, key, button or gamepad takes over.
+    // Plays a step of the lesson on the current clay. Any finger, key, button or gamepad takes over.
     void show(ShownStep step, const pot::Pot& shape, double side);
     void stop_showing();
     [[nodiscard]] bool shows() const { return shows_ && touch_.runs(); }
 
-    // The wire that is held, as high as the line round the wall; none: another thing is held.
+    // Height of the wire's line round the wall; empty if the wire is not held.
     [[nodiscard]] std::optional<double> wire_mm() const { return wire_mm_; }
-    // Pulls it through, once.
+    // Pulls the wire through the clay, once.
     void cut_rim() { cuts_ = wire_mm_.has_value(); }
 
-    // Where keys and buttons work; none until the first of them.
+    // The marker of keys and buttons; empty until the first of them.
     [[nodiscard]] std::optional<dvec2> marker_mm() const { return marker_mm_; }
-    // Draws the finger to an outline when it is near; see OutlineHelp::set().
+    // Pulls the finger to a nearby outline; see OutlineHelp::set().
     void set_outline(std::span<const vec2> radius_height, double strength) {
         help_.set(radius_height, strength);
     }
-    // New clay: nothing has come to it yet.
+    // New clay: resets finger, touch and marker.
     void leave_clay();
 
-    // What the tool should do now, dt_s after the last call.
+    // Returns the request for the tool now, dt_s after the last call.
     [[nodiscard]] haptics::ToolState request(const HandSettings& settings, const pot::Pot& shape,
                                              double dt_s);
 
@@ -110,14 +111,14 @@ class KioskHand {
 
     Presser presser_ = Presser::kNobody;
     dvec2 finger_mm_{0.0};
-    dvec2 shown_before_mm_{0.0};  // where it was in the last frame
-    double idle_s_ = 1e9;         // since somebody moved it
-    bool pad_held_ = false;       // the gamepad's button: it presses anew only when it was let go
-    bool pad_has_come_ = false;   // to the clay that is on the wheel
+    dvec2 shown_before_mm_{0.0};  // the finger in the last frame
+    double idle_s_ = 1e9;         // since the finger last moved
+    bool pad_held_ = false;       // the gamepad's button; a new press needs a release first
+    bool pad_has_come_ = false;   // the gamepad's finger is at the clay on the wheel
     KioskTouch touch_;
-    std::deque<WaitingKey> waiting_;         // keys that came while a touch was made
-    std::uint64_t touches_ = 0;              // begun so far, whoever made them
-    std::optional<std::uint64_t> pressing_;  // the one that pressed in the last frame
+    std::deque<WaitingKey> waiting_;         // keys that arrived during a touch
+    std::uint64_t touches_ = 0;              // touches begun so far, by any input
+    std::optional<std::uint64_t> pressing_;  // the touch that pressed in the last frame
     bool shows_ = false;                     // the touch is a step of the lesson
     KioskMarker marker_;
     std::optional<dvec2> marker_mm_;

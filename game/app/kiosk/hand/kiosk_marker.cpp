@@ -11,7 +11,7 @@ constexpr double kIntoWallMm = 3.0;
 constexpr double kPullMm = 6.0;
 constexpr double kOpenMm = 8.0;
 constexpr double kLowerMm = 6.0;
-// Who waits for each turn of the ring gets more of it.
+// Larger, because a single switch must wait for the scan before each press.
 constexpr double kSwitchPullMm = 12.0;
 constexpr double kLowestMm = 5.0;
 
@@ -25,7 +25,7 @@ void KioskMarker::come(double side) {
     fraction_ = kLowFraction;
 }
 
-// In small steps, because where a wall leans a millimetre of it is less of its height.
+// In small steps, because on a leaning wall a millimetre along the wall is less than that in height.
 void KioskMarker::walk(double way_mm, const pot::Pot& shape) {
     constexpr double kFineMm = 0.5;
     const double height_mm = shape.height_mm;
@@ -56,7 +56,7 @@ std::optional<dvec2> KioskMarker::place_mm(const pot::Pot& shape) const {
 }
 
 TouchPath KioskMarker::move_wall(double direction, const pot::Pot& shape) const {
-    // Right at the rim a touch may mean to press it down.
+    // Stays below the rim, where a touch could press the rim down.
     constexpr double kOffRimMm = 6.0;
     const double y_mm =
         std::clamp(fraction_ * shape.height_mm, 0.0, std::max(0.0, shape.height_mm - kOffRimMm));

@@ -9,17 +9,17 @@ namespace {
 
 using Kind = PointerNews::Kind;
 
-constexpr float kLifePx = 24.0F;  // a mouse that a passing lorry shakes is nobody
-// And so is one that leaps once: display servers put the pointer of a new window where the last finger was.
+constexpr float kLifePx = 24.0F;  // vibration moves a mouse by less; it is no visitor
+// A single jump is no visitor either: display servers put the pointer of a new window at the last touch.
 constexpr double kOnItsWayS = 2.0;
-// A finger that lands is told first as a leap of the mouse: where it lands on a target, only that counts.
+// A landing finger is first reported as a jump of the mouse; if it lands on a target, only the press counts.
 constexpr double kLandingS = 0.08;
 constexpr double kRepeatAfterS = 0.5;
 constexpr double kRepeatEveryS = 0.25;
 constexpr double kCornerS = 5.0;
 constexpr float kCornerU = 80.0F;
 constexpr double kScanEveryS = 1.4;
-// A touch that nobody moves for so long is a screen that hangs.
+// A touch that does not move for longer is a fault of the touch screen.
 constexpr double kLongestStillS = 60.0;
 constexpr float kHandStillPx = 4.0F;
 
@@ -65,7 +65,7 @@ bool KioskPointer::in_corner(vec2 px) const {
 bool KioskPointer::in_window(vec2 px) const {
     if (composition_ == nullptr) return true;
     const vec2 size = composition_->px_per_u * vec2(composition_->bounds.width, composition_->bounds.height);
-    // Half a pixel, for what is rounded.
+    // Half a pixel of tolerance for rounding.
     return px.x > -0.5F && px.y > -0.5F && px.x < size.x + 0.5F && px.y < size.y + 0.5F;
 }
 
@@ -73,7 +73,7 @@ void KioskPointer::look_at(const screens::Composition* composition, int screen_k
     composition_ = composition;
     right_to_left_ = right_to_left;
     if (screen_key == screen_key_) {
-        // A button before it may have come or gone: finger and ring stay on theirs.
+        // Buttons may have been added or removed: pressed target and ring keep theirs.
         pressed_ = place_of(pressed_meaning_, pressed_);
         const int ring = place_of(focus_meaning_, focus_);
         focus_ = ring >= 0 ? ring : std::min(focus_, target_count() - 1);
@@ -101,7 +101,7 @@ void KioskPointer::press_focus(std::vector<PointerNews>& news) const {
 void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news) {
     using window::Key;
     if (!key.pressed) return;
-    // A press is a sign of life of its own, and must find the panel that it is meant for.
+    // A press is reported as such, without kLife, which could close the panel it is meant for.
     const bool takes =
         key.key == Key::kF1 || ((key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0);
     if (!takes) news.push_back({.kind = Kind::kLife, .value = 1});
@@ -130,12 +130,12 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
             return;
         case Key::kEnter:
             if (key.repeat) return;
-            // Where no ring is, there may be a brush.
+            // Without a ring, Enter puts a brush down or lifts it.
             if (focus_ < 0) news.push_back({.kind = Kind::kPutDown});
             press_focus(news);
             return;
         case Key::kSpace:
-            // One switch is enough: the first press starts the ring on its way, the next takes what it is on.
+            // Single-switch scanning: the first press starts the scan, the next presses the focused target.
             if (key.repeat) return;
             if (focus_ >= 0) {
                 press_focus(news);
@@ -191,7 +191,7 @@ void KioskPointer::handle_pointer(const window::PointerEvent& pointer, double no
     }
     at_px_ = vec2(pointer.x_px, pointer.y_px);
     if (!in_corner(at_px_)) corner_s_.reset();
-    if (!pointer_came_) still_px_ = at_px_;  // where a window finds a mouse that nobody moves
+    if (!pointer_came_) still_px_ = at_px_;  // a new window reports the place of a resting mouse
     pointer_came_ = true;
     if (glm::length(at_px_ - still_px_) > kLifePx) {
         still_px_ = at_px_;
@@ -242,7 +242,7 @@ void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s
     lift_hand(news);
     const bool counts =
         pressed_ >= 0 && pressed_ < target_count() && pressed_over_ && pressed_key_ == screen_key_;
-    // A token that was held until it repeated has done its work.
+    // A token that has repeated is not pressed again on release.
     if (counts && !has_repeated_) {
         const screens::Target& target = composition_->targets[static_cast<std::size_t>(pressed_)];
         news.push_back({Kind::kPressed, target.button, target.value, at_px_});
@@ -260,7 +260,7 @@ void KioskPointer::handle(const window::Event& event, double now_s, std::vector<
         handle_key(*key, now_s, news);
     } else if (const auto* focus = std::get_if<window::FocusEvent>(&event)) {
         if (focus->focused) return;
-        // What is released elsewhere is never told.
+        // A window without focus gets no release events.
         lift_hand(news);
         buttons_down_ = 0;
         pressed_ = -1;

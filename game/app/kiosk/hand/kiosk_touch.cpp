@@ -7,45 +7,43 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kSolidMm = 8.0;  // a hollow that is no deeper is none yet
+constexpr double kSolidMm = 8.0;  // a hollow up to this depth does not count
 
-// The steps of the lesson are measured on a lump of 1 kg, whose foot is so wide; larger and smaller lumps
-// get theirs in proportion.
+// The steps of the lesson are measured on a lump of 1 kg with this foot; they scale with the lump.
 constexpr double kLumpFootMm = 62.0;
-constexpr double kComesS = 0.5;  // in which the hands are seen to come, before they press
-constexpr double kStaysS = 0.3;  // and catch up with the finger, before it is lifted
+constexpr double kComesS = 0.5;  // the hands approach before they press
+constexpr double kStaysS = 0.3;  // the hands catch up with the finger before it is lifted
 constexpr double kPressFromMm = 2.0;
 constexpr double kPressToMm = 8.0;
 constexpr double kPressS = 1.5;
 constexpr double kOpenFloorMm = 15.0;
 constexpr double kOpenAsideMm = 25.0;
 constexpr double kOpenS = 2.0;
-constexpr double kOpenDownFraction = 0.6;  // of that time, for the way down
+constexpr double kOpenDownFraction = 0.6;  // part of that time for the way down
 constexpr double kRaiseMm = 40.0;
 constexpr double kHighestRaiseMm = 150.0;
 constexpr double kRaiseS = 2.5;
-constexpr double kDrawnFromFraction = 0.2;  // of the height: below it the wheel head is in a tool's way
+constexpr double kDrawnFromFraction = 0.2;  // of the height; below it the wheel head blocks a tool
 constexpr double kDrawS = 3.6;
 
-// Hands begin after 3 mm of way, and the wall keeps the distance from the finger at which it was touched,
-// which wears off. A touch that begins so far on the near side and ends so little on the far one has moved
-// the wall by what it was asked for.
+// The hands start after 3 mm of travel, and the offset between finger and wall at the touch decays. These
+// values make a touch move the wall by the requested distance.
 constexpr double kRunUpMm = 3.0;
 constexpr double kBeyondFraction = 0.95;
 constexpr double kSidewaysS = 0.25;
 constexpr double kSidewaysStaysS = 0.15;
 
-constexpr double kPullsBelowRimMm = 8.0;  // where a pull takes hold: lower than what counts as the rim
+constexpr double kPullsBelowRimMm = 8.0;  // a pull starts below the zone that counts as the rim
 constexpr double kPullMmPerS = 26.0;
 constexpr double kPullStaysS = 0.25;
-constexpr double kOpensByItselfS = 2.0;  // how long the other hand takes to open solid clay
+constexpr double kOpensByItselfS = 2.0;  // time of the other hand to open solid clay
 
-constexpr double kDeepPerTravel = 1.5;  // an opening goes down by so much of what the finger does
+constexpr double kDeepPerTravel = 1.5;  // depth of an opening per travel of the finger
 constexpr double kDeepestFloorMm = 15.0;
-constexpr double kOpenMmPerS = 24.0;  // thumbs that lie still go on by themselves
+constexpr double kOpenMmPerS = 24.0;  // resting thumbs keep opening
 constexpr double kOpenEntersS = 0.5;
 
-constexpr double kRimWithin = 0.8;  // of its outer radius: nearer the axis a thick rim is opened
+constexpr double kRimWithin = 0.8;  // of the outer radius; nearer the axis a touch opens a thick rim
 constexpr double kLowerMmPerS = 12.0;
 constexpr double kLowerStaysS = 0.4;
 
@@ -141,7 +139,7 @@ TouchPath pull_path(const pot::Pot& shape, double side, double rise_mm) {
 TouchPath open_path(const pot::Pot& shape, double side, double step_mm) {
     const double top_mm = shape.height_mm;
     if (shape.floor_mm > kDeepestFloorMm) {
-        // From the top: what is open already is on the way.
+        // Starts at the top and passes through the existing hollow.
         const double down_mm = (std::max(0.0, top_mm - shape.floor_mm) + step_mm) / kDeepPerTravel;
         return {.points = {{0.0, {0.0, top_mm}}, {down_mm / kOpenMmPerS, {0.0, top_mm - down_mm}}},
                 .presses_from_s = 0.0};

@@ -1,6 +1,6 @@
-// A touch that nobody's finger makes: a path over the upright plane through the axis, walked in time. With it
-// the lesson shows a step on the visitor's own clay, and keys and a single switch do what a finger does. Pure
-// state, no clock: stepped by dt_s. Main thread. mm, s; x is signed, y up from the wheel head.
+// A synthetic touch: a timed path over the upright plane through the axis. The lesson uses it to demonstrate
+// a step on the visitor's clay, and keys and a single switch to work like a finger. Pure state, no clock:
+// stepped by dt_s. Main thread. mm, s; x is signed, y up from the wheel head.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace onggi::app {
 
-// Of the height: where the lesson presses first and pulls.
+// Fraction of the height at which the lesson presses first and pulls.
 constexpr double kLowFraction = 0.3;
 
 // Outer and inner radius of the shape at a height; inner 0 where it is solid, both 0 above it.
@@ -19,12 +19,12 @@ struct Wall {
     double inner_mm = 0.0;
 };
 [[nodiscard]] Wall wall_at(const pot::Pot& shape, double y_mm);
-// Of its uppermost ring.
+// The wall at the uppermost ring.
 [[nodiscard]] Wall rim_of(const pot::Pot& shape);
-// As good as without a hollow.
+// Whether the shape has no notable hollow.
 [[nodiscard]] bool is_solid(const pot::Pot& shape);
 
-// A step of the lesson; behind them, a rib or a sponge drawn up along the wall.
+// The steps of the lesson, and drawing a rib or a sponge up along the wall.
 enum class ShownStep { kPress, kOpen, kRaise, kDrawTool };
 
 struct TouchPoint {
@@ -33,18 +33,18 @@ struct TouchPoint {
 };
 struct TouchPath {
     std::vector<TouchPoint> points;  // at least one, in time
-    double presses_from_s = 0.0;     // until then the finger hovers
+    double presses_from_s = 0.0;     // before this time the finger hovers
 };
 
-// What plays a step of the lesson on that clay, on the right (+1) or on the left (-1).
+// Returns the path of a step of the lesson on that clay, on the right (+1) or left (-1) side.
 [[nodiscard]] TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side);
-// Moves the wall there by so much: positive to the right, as seen.
+// Moves the wall at that place by `step_mm`; positive is to the right in the picture.
 [[nodiscard]] TouchPath sideways_path(const dvec2& place_mm, double step_mm);
-// Takes the wall below the rim and goes past it, so far. Solid clay is opened on the way.
+// Grips the wall below the rim and pulls `rise_mm` past it. Solid clay is opened first.
 [[nodiscard]] TouchPath pull_path(const pot::Pot& shape, double side, double rise_mm);
-// Over the middle: deepens the hollow by so much, or widens it where it is as deep as it gets.
+// Deepens the hollow by `step_mm`, or widens it if it has its greatest depth.
 [[nodiscard]] TouchPath open_path(const pot::Pot& shape, double side, double step_mm);
-// Presses the rim down by so much.
+// Presses the rim down by `step_mm`.
 [[nodiscard]] TouchPath lower_path(const pot::Pot& shape, double side, double step_mm);
 
 class KioskTouch {
@@ -55,7 +55,7 @@ class KioskTouch {
 
     [[nodiscard]] bool runs() const { return !path_.points.empty(); }
     [[nodiscard]] bool presses() const { return runs() && since_s_ >= path_.presses_from_s; }
-    // Of the finger; where it was last, when it is done.
+    // The finger's place; after the end its last place.
     [[nodiscard]] const dvec2& place_mm() const { return place_mm_; }
 
   private:
