@@ -19,10 +19,11 @@ using testing::kPedal;
 using testing::kSpaceMouse;
 using testing::MockBus;
 
-// A minute, because a software driver under a sanitizer takes ten seconds to its first frame.
+// Three minutes, because a software driver under a sanitizer takes ten seconds to its first frame, and others
+// may want the processor.
 bool says(RunningOnggi& program, std::string_view line) {
     const auto has_said = [&] { return program.printed().find(line) != std::string::npos; };
-    test::comes_true([&] { return has_said() || !program.at_work(); }, std::chrono::minutes(1));
+    test::comes_true([&] { return has_said() || !program.at_work(); }, std::chrono::minutes(3));
     return has_said();
 }
 

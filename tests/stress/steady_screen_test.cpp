@@ -27,11 +27,11 @@ class SteadyScreen : public testing::Test {
         }
         return shown.size();
     }
-    void settle(Screen screen) {
+    // What is composed beside the frame comes late on a busy machine. Once that is over, five seconds go by
+    // without another screen; they never do where one is made for nothing again and again.
+    void expect_steady(Screen screen) {
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == screen; }));
-        screens_in(3.0);
-        // What is composed beside the frame comes later on a busy machine.
-        ASSERT_TRUE(test::comes_true([&] { return screens_in(3.0) == 1; }));
+        EXPECT_TRUE(test::comes_true([&] { return screens_in(5.0) == 1; }));
     }
 
     test::TemporaryFolder gallery;
@@ -40,15 +40,15 @@ class SteadyScreen : public testing::Test {
 
 TEST_F(SteadyScreen, StaysWhileNothingThatIsSeenChanges) {
     kiosk.touch();
-    settle(Screen::kChoose);
-    EXPECT_EQ(screens_in(2.0), 1U) << "choose";
+    expect_steady(Screen::kChoose);
     ASSERT_TRUE(kiosk.press(Button::kTarget, 0));
-    settle(Screen::kThrow);
-    EXPECT_EQ(screens_in(2.0), 1U) << "throw, with an outline over the clay";
+    expect_steady(Screen::kThrow);  // with an outline over the clay
     const auto before = kiosk.shown_view();
     ASSERT_TRUE(kiosk.press(Button::kWaterMore));
-    EXPECT_TRUE(kiosk.until([&] { return kiosk.shown_view() != before; }));
-    EXPECT_EQ(kiosk.shown_view()->state.throwing.water, before->state.throwing.water + 1);
+    EXPECT_TRUE(kiosk.until([&] {
+        return kiosk.shown_view() != before &&
+               kiosk.shown_view()->state.throwing.water == before->state.throwing.water + 1;
+    }));
 }
 
 }  // namespace

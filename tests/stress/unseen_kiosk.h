@@ -37,7 +37,7 @@ struct UnseenOptions {
     bool plain = true;                                             // no photographed room
     bool shows = false;                                            // recordings, while nobody is there
     bool real_time = false;                                        // 60 frames a second, no more
-    std::chrono::minutes patience{1};  // of until(), by the clock on the wall, on the reference machine
+    std::chrono::minutes patience{3};  // of until(), by the clock on the wall, on the reference machine
     int most_pots = 100'000;
     int width = kWidth;
     int height = kHeight;

@@ -120,7 +120,7 @@ struct AWatchedKiosk : testing::Test {
 
     // A software driver under a sanitizer takes ten seconds to its first frame.
     void SetUp() override {
-        ASSERT_TRUE(manager.hears("READY=1", 1, milliseconds(60'000))) << onggi.printed();
+        ASSERT_TRUE(manager.hears("READY=1", 1, milliseconds(180'000))) << onggi.printed();
         ASSERT_TRUE(manager.hears("WATCHDOG=1", 2, milliseconds(20'000))) << onggi.printed();
     }
     void expect_silence_while(int thread) {
