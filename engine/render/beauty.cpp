@@ -9,8 +9,8 @@
 namespace onggi::render {
 namespace {
 
-// The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018: any
-// first part of it is spread evenly.
+// The additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018:
+// every prefix of the sequence is evenly distributed.
 dvec2 spread(int index, double offset) {
     constexpr double kStepX = 0.7548776662466927;
     constexpr double kStepY = 0.5698402909980532;

@@ -67,19 +67,19 @@ struct Material {
 // water on the surface makes it shine. They are separate, because a body that has absorbed its water is dark
 // and dull.
 struct LatheMaterial {
-    vec3 albedo{0.5F};        // of the dry body; of a glazed one: what is seen through the glaze
+    vec3 albedo{0.5F};        // of the dry body; glazed: as seen through the glaze
     float roughness = 0.62F;  // GGX, of the dry body
     float streaks = 0.35F;    // left by the fingers, as a fraction of the albedo
-    float soft_edge = 0.14F;  // how far round the edge of the lit side light scatters, as a cosine: 0 to 0.5
-    float wetness = 0.0F;     // water in the body, 0 to 1, where the lathe does not say it ring by ring
-    float film = 0.0F;        // water on it, likewise
-    float coat = 0.0F;        // glaze, 0 none to 1
+    float soft_edge = 0.14F;  // how far light scatters past the edge of the lit side, as a cosine: 0 to 0.5
+    float wetness = 0.0F;     // water in the body, 0 to 1; used where Lathe::wetness is empty
+    float film = 0.0F;        // water on the surface, 0 to 1; used where Lathe::film is empty
+    float coat = 0.0F;        // glaze, 0 to 1
     float coat_roughness = 0.13F;
 
     friend bool operator==(const LatheMaterial&, const LatheMaterial&) = default;
 };
 
-// A place of a lathe's outside that was painted on.
+// A texel of paint on a lathe's outside.
 struct LatheMark {
     // Bytes from the lowest: red, green and blue as square roots of light, then coverage.
     std::uint32_t colour = 0;

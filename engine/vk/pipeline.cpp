@@ -28,7 +28,7 @@ VkPipelineShaderStageCreateInfo stage_info(VkShaderStageFlagBits stage, VkShader
             .pSpecializationInfo = &constants};
 }
 
-// The modules may go once the pipeline is made.
+// The modules may be destroyed once the pipeline exists.
 struct Stages {
     ShaderModule vertex;
     ShaderModule fragment;
@@ -51,7 +51,7 @@ Result<Stages> create_stages(const Device& device, const PipelineDesc& desc,
     return stages;
 }
 
-// Both arguments outlive it.
+// `desc` and `binding` must outlive the result.
 VkPipelineVertexInputStateCreateInfo vertex_input_of(const PipelineDesc& desc,
                                                      const VkVertexInputBindingDescription& binding) {
     VkPipelineVertexInputStateCreateInfo vertex_input{
@@ -76,7 +76,7 @@ VkPipelineRasterizationStateCreateInfo raster_of(const PipelineDesc& desc) {
             .lineWidth = 1.0F};
 }
 
-// The same for every colour attachment.
+// The blend state of every colour attachment.
 VkPipelineColorBlendAttachmentState blend_of(const PipelineDesc& desc) {
     VkPipelineColorBlendAttachmentState state{.colorWriteMask =
                                                   VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |

@@ -45,7 +45,7 @@ class Swapchain final : public FrameTarget {
     Result<void> end(VkCommandBuffer commands) override;
     Result<void> wait() override { return timeline_.wait(*device_); }
 
-    // Whether the driver will report that the last image is on the screen and nobody has waited for it yet.
+    // Whether the driver will report that the last image is on the screen and the wait for it is still due.
     [[nodiscard]] bool awaits_showing() const {
         return device_->wait_for_present() != nullptr && presented_ > shown_;
     }

@@ -58,9 +58,9 @@ std::size_t add_section(const LatheMeshInput& input, int sectors,
 
 namespace {
 
-// A chord of a circle lies off it by r (1 - cos(half its angle)).
+// A chord deviates from its circle by r (1 - cos(half its angle)).
 float angle_of_chord(float radius_px, float error_px) {
-    // Light is interpolated between the vertices too, which bears no more.
+    // Light is interpolated between the vertices too and allows no wider chord.
     constexpr float kWidest = 18.0F * kPiF / 180.0F;
     const float cosine = 1.0F - error_px / std::max(radius_px, 1e-3F);
     return cosine > 0.0F ? std::min(2.0F * std::acos(cosine), kWidest) : kWidest;
@@ -81,7 +81,7 @@ float density(const LatheSeen& seen, float from_sight_rad, float error_px) {
 }  // namespace
 
 std::vector<float> even_sectors(const Lathe& lathe, int sectors) {
-    // A lathe's own sectors run the other way, counter-clockwise.
+    // The lathe's own sectors run counter-clockwise, these angles clockwise.
     const float start = lathe.cut ? kPiF - lathe.cut->towards_rad : 0.0F;
     const float sweep = lathe.cut ? kPiF : kTurnF;
     std::vector<float> angles;
@@ -243,7 +243,7 @@ std::array<vec3, 9> sky_irradiance(const Environment& environment) {
                 coefficients[i] += radiance * basis[i];
         }
     }
-    // Solid angle of a cell; the cosine lobe's factors over pi (1, 2/3, 1/4); the basis' own constants.
+    // Solid angle of a cell; the cosine lobe's factors over pi (1, 2/3, 1/4); the constants of the basis.
     constexpr float kCell = 4.0F * kPiF / (kRows * kColumns);
     constexpr std::array<float, 9> kFold{0.282095F,         0.488603F * 2 / 3, 0.488603F * 2 / 3,
                                          0.488603F * 2 / 3, 1.092548F / 4,     1.092548F / 4,
@@ -393,7 +393,7 @@ void build_lathe(const Scene& scene, const RendererDesc& desc, const EdgeView& v
     const LatheMaterial& material = lathe.material;
     built.lathe.dry = vec4(material.albedo, material.streaks);
     built.lathe.wet = vec4(wet_albedo(material.albedo), material.soft_edge);
-    // A wide light is mirrored as wide as it is: its half width adds to the lobe's.
+    // A highlight is as wide as its light: the light's half width is added to the lobe's.
     const float film = film_roughness(material);
     const float width = 0.5F * std::tan(scene.key.angular_radius_rad);
     const float film_lobe = std::sqrt(std::sqrt(film * film * film * film + width * width));

@@ -135,11 +135,11 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 [[nodiscard]] std::uint64_t still_hash(const Scene& scene, int width_px, int height_px);
 [[nodiscard]] std::uint64_t shadow_hash(const Scene& scene);
 
-// Of the body full of it.
+// Roughness of the saturated body.
 [[nodiscard]] float wet_roughness(const LatheMaterial& material);
 
-// Roughness of the film of water or glaze. A film of water is thin and follows the body's roughness smoothed;
-// a glaze is thick.
+// Gloss roughness of what covers the body: a thin film of water, which is smoother than the body, or a thick
+// glaze.
 [[nodiscard]] float film_roughness(const LatheMaterial& material);
 
 }  // namespace onggi::render

@@ -8,7 +8,7 @@
 namespace onggi::render {
 namespace {
 
-// A ring's faces and its middle.
+// The radii of both faces of a ring, and its heights.
 struct Ring {
     float outer_mm;
     float inner_mm;

@@ -7,7 +7,7 @@
 namespace onggi::render {
 namespace {
 
-// What is the same in every row of a sector's edge.
+// Values of a sector's edge that are the same in every row.
 struct SectorEdge {
     vec2 outward;         // (x, z)
     std::size_t dent;     // index of the dents' sector below it
@@ -32,7 +32,7 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
         SectorEdge edge{};
         // The last edge of a whole turn equals the first bit by bit.
         const float shown = angles_rad[!lathe.cut && i == last ? 0 : i];
-        // Streaks lie where they lie on the lathe, whichever way the eye looks.
+        // The streaks' coordinate is fixed to the lathe, independent of the eye.
         edge.fraction = lathe.cut ? (angles_rad[i] - angles_rad[0]) / sweep : angles_rad[i] / kTurnF;
         const std::size_t from = i > 0 ? i - 1 : 0;
         const float chord = (angles_rad[std::min(i + 1, last)] - angles_rad[from]) /
@@ -40,7 +40,7 @@ std::vector<SectorEdge> sector_edges(const Lathe& lathe, const DirectionalLight&
         edge.straddle = 1.0F + 0.5F * (1.0F - std::cos(0.5F * chord));
         edge.outward = {std::cos(shown), std::sin(shown)};
         float own = (-shown - turned) / kTurnF;
-        // A sector's value is that of its middle.
+        // A sector's value applies at its middle.
         own = (own - std::floor(own)) * kDentSectors + kDentSectors - 0.5F;
         edge.dent = static_cast<std::size_t>(own) % kDentSectors;
         edge.dent_fraction = own - std::floor(own);
