@@ -28,7 +28,7 @@ remember_staff = true
 [staff]
 pin = "2580"
 locked = $1
-closes_after_s = $((silence_s < 600 ? silence_s : 600))
+closes_after_s = $((silence_s / 2 < 600 ? silence_s / 2 : 600))
 name = "Wheel 2"
 [sharing]
 public_url = "http://127.0.0.1:8080"

@@ -7,7 +7,7 @@
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # A program that gives no sign of life and writes no line for so long hangs.
-silence_s=$(scaled 30)
+silence_s=$(scaled 60)
 
 # listen_for_life: the signs of life of every program that is started from here on, each a byte in ./signs.
 listen_for_life() {
