@@ -21,6 +21,7 @@ import time
 from pathlib import Path
 
 POLL_S = 0.25
+LOOKS_EVERY_S = 1.0
 # Another test starts when this much of a core has been idle for so long.
 IDLE_CORES = 0.3
 SETTLING_S = 2.0
@@ -84,17 +85,17 @@ class Processes:
         return [process for process in self.parents if self.sessions[process] == leader or descends(process)]
 
 
-def waits_s(processes):
-    """Seconds that each thread of these processes has waited for a core so far (sched-stats of the kernel)."""
-    waited = {}
+def longest_wait_s(processes):
+    """Seconds that the thread which waited longest for a core has waited so far (sched-stats of the kernel)."""
+    longest = 0.0
     for process in processes:
         try:
             for thread in os.listdir(f"/proc/{process}/task"):
                 text = Path(f"/proc/{process}/task/{thread}/schedstat").read_text()
-                waited[int(thread)] = int(text.split()[1]) * 1e-9
+                longest = max(longest, int(text.split()[1]) * 1e-9)
         except OSError:
             continue
-    return waited
+    return longest
 
 
 class Run:
@@ -102,9 +103,7 @@ class Run:
 
     def __init__(self, test, log):
         self.test, self.log = test, log
-        self.began = self.seen = time.monotonic()
-        self.used_s = 0.0
-        self.waited = {}
+        self.began = self.looked = time.monotonic()
         with log.open("wb") as output:
             self.process = subprocess.Popen(test.command, cwd=test.folder, env={**os.environ, **test.environment},
                                             stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT,
@@ -113,13 +112,16 @@ class Run:
     def elapsed_s(self):
         return time.monotonic() - self.began
 
-    def count(self, table):
-        """Counts the time since the last look, less what the thread that waited longest for a core waited."""
+    def hangs(self):
+        """Whether it is over its limit, less the time in which it waited for a core.
+
+        /proc is read only then, and seldom: entries that were looked at make the end of a process slow.
+        """
         now = time.monotonic()
-        waited = waits_s(table.of(self.process.pid))
-        delay = max((waited[thread] - self.waited.get(thread, 0.0) for thread in waited), default=0.0)
-        self.used_s += now - self.seen - delay
-        self.seen, self.waited = now, waited
+        if self.elapsed_s() <= self.test.limit_s or now - self.looked < LOOKS_EVERY_S:
+            return False
+        self.looked = now
+        return self.elapsed_s() - longest_wait_s(Processes().of(self.process.pid)) > self.test.limit_s
 
     def end(self):
         """Ends what is left of it and returns what that was."""
@@ -213,7 +215,7 @@ class Suite:
         """`why`: it was ended, and for what reason."""
         self.running.remove(run)
         status = run.process.poll()
-        self.seconds[run.test.name] = run.used_s + time.monotonic() - run.seen
+        self.seconds[run.test.name] = run.elapsed_s()
         left = run.end()
         test, output = run.test, run.log.read_text(errors="replace")
         if not why and status != test.skip_code and status != 0:
@@ -233,13 +235,10 @@ class Suite:
             print(output, end="" if output.endswith("\n") else "\n", flush=True)
 
     def look(self):
-        table = Processes()
         for run in list(self.running):
             if run.process.poll() is not None:
                 self.finish(run)
-                continue
-            run.count(table)
-            if run.used_s > run.test.limit_s:
+            elif run.hangs():
                 self.finish(run, f"over its limit of {run.test.limit_s:.0f} s after {run.elapsed_s():.0f} s")
 
     def report(self):
