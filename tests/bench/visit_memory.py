@@ -12,6 +12,7 @@ import argparse
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -27,7 +28,7 @@ def most_of_visit(program, targets, size):
         starter.write_text(f'#!/bin/sh\n[ "$1" != kiosk ] || echo $$ >{folder}/process\nexec {program} "$@"\n')
         starter.chmod(0o700)
         visit = subprocess.Popen(["bash", CHECKOUT / "tests/window/visit.sh", starter, targets, folder + "/visit", "mouse", "en", size],
-                                 env=dict(os.environ, LP_NUM_THREADS="0"), stdout=subprocess.DEVNULL)
+                                 env=dict(os.environ, LP_NUM_THREADS="0"), stdout=sys.stderr)
         most_own_mb, most_resident_mb = 0, 0
         while visit.poll() is None:
             time.sleep(0.1)
