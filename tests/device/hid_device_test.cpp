@@ -231,7 +231,7 @@ TEST(JoystickOnTheBus, IsStoppedATenthOfASecondAfterTheLastOrderAndStartedByTheN
         return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - order).count();
     };
     constexpr std::string_view kStopAll = "0c04";
-    // A machine that is busy may hold the orders themselves up for so long.
+    // A busy machine may delay the orders themselves by a tenth of a second; then a stop is right.
     for (int count = 0; count < 300; ++count) {
         tick_once();
         if (is_told(kStopAll)) {

@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
     }
 }
 
-// How long one of them lives. Where a busy machine gets little done in such a life, there are more rounds
-// than were planned, and `more_rounds` of them make it longer.
+// Microseconds from the start of a process to its kill. A busy machine gets little done in that time: the
+// test then adds rounds, and `more_rounds` lengthens the time.
 useconds_t moment_us(unsigned least, unsigned most, std::mt19937& chance, int more_rounds) {
     const unsigned any = least + static_cast<unsigned>(chance()) % (most - least);
     return static_cast<useconds_t>(slowness() * any * (1 + more_rounds));

@@ -29,7 +29,7 @@ void let_makers_compete() {
             .c_str()));
 }
 
-// Those that are at work, or have ended and are not asked about yet.
+// The child processes of this test, those included that have ended and are not yet waited for.
 std::vector<int> makers() {
     std::ifstream children(fmt::format("/proc/self/task/{}/children", ::getpid()));
     return {std::istream_iterator<int>(children), {}};
@@ -96,7 +96,7 @@ TEST_F(KioskFilmTest, IsDroppedWithWhoMakesItByTheNext) {
     ASSERT_TRUE(film_.begin(session()));
     const std::vector<int> first = makers();
     ASSERT_EQ(first.size(), 1U);
-    // Who is held never ends by itself, so that it cannot be waited for.
+    // A stopped process never ends by itself: a begin() that waited for it would not return.
     ASSERT_EQ(::kill(first.front(), SIGSTOP), 0);
     ASSERT_TRUE(film_.begin(session()));
     const std::vector<int> second = makers();

@@ -63,7 +63,7 @@ TEST(ShareProgram, RefusesInOneLineWhatItCannotServe) {
     }
 }
 
-// Were it to wait for its clients, this one would keep it at work.
+// A server that waited for its clients would never end here.
 TEST(ShareProgram, EndsWhenAskedAlthoughAClientGoesOnAsking) {
     ServedOutbox served;
     const HttpClient waiting(served.port());

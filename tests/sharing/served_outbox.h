@@ -25,7 +25,7 @@ inline sharing::ShareTime from_now(std::int64_t stays_s = 36'000) {
     return {.now_s = now_s, .expires_s = now_s + stays_s};
 }
 
-// The port that `onggi share` says it got, once it says so.
+// Waits until `onggi share` prints the port at which it listens, and returns it. 0: it ended before.
 inline int port_said_by(RunningOnggi& server) {
     int port = 0;
     comes_true([&] {
@@ -41,7 +41,7 @@ inline int port_said_by(RunningOnggi& server) {
 
 class ServedOutbox {
   public:
-    // At a port that the system chooses, where `port` is 0.
+    // Port 0: the system chooses one.
     explicit ServedOutbox(std::vector<std::string> more = {}, int port = 0)
         : outbox_(open()),
           server_(words(std::move(more), port)),

@@ -121,7 +121,7 @@ Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
             .writes = writes.load()};
 }
 
-// A run counts in which the I/O thread had its turns; it may not on a busy machine.
+// The I/O thread gets few turns on a busy machine. Such a run says nothing and is repeated.
 constexpr int kFewWrites = 40;
 Cost told_all_the_time(std::chrono::milliseconds write_takes) {
     Cost cost = cost_of_a_tick(write_takes);
@@ -139,7 +139,7 @@ TEST(ABlockedDevice, CostsTheTickNothing) {
         return blocked.p50_ns < 2 * quick.p50_ns + 20'000U && blocked.p90_ns < 2 * quick.p90_ns + 200'000U &&
                blocked.p90_ns < 1'000'000U && blocked.skipped < quick.skipped + kPeriods / 10;
     };
-    // On a busy machine it takes more turns until others have left both alone once.
+    // A busy machine needs more turns until one of each kind was left undisturbed.
     for (int turn = 0; turn < 3 || (turn < 15 && !costs_nothing()); ++turn) {
         quick.keep_the_best_of(told_all_the_time(0ms));
         blocked.keep_the_best_of(told_all_the_time(5ms));

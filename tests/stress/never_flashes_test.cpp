@@ -39,7 +39,7 @@ class NeverFlashes : public testing::Test {
         }
     }
     // Screens are composed beside the frame, in real time: on a busy machine a look comes before they are
-    // ready. After 600 looks the clock here goes slowly, so that nothing else comes first.
+    // ready. After 600 looks the test's clock runs slowly, so that no timeout fires first.
     template <typename Condition>
     [[nodiscard]] bool watch_until(const Condition& is_shown) {
         int looks = 0;

@@ -27,8 +27,8 @@ class SteadyScreen : public testing::Test {
         }
         return shown.size();
     }
-    // What is composed beside the frame comes late on a busy machine. Once that is over, five seconds go by
-    // without another screen; they never do where one is made for nothing again and again.
+    // A busy machine composes a screen late. Afterwards five seconds pass without a new screen; they never do
+    // if the kiosk composes one again and again for no reason.
     void expect_steady(Screen screen) {
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == screen; }));
         EXPECT_TRUE(test::comes_true([&] { return screens_in(5.0) == 1; }));

@@ -138,7 +138,7 @@ void UnseenKiosk::passes(double seconds) {
         ASSERT_LT(std::chrono::steady_clock::now(), end) << "the wheel stands still";
         std::this_thread::sleep_for(kFrame);
         const std::uint64_t tick = snapshot().tick;
-        // A fresh lump begins at 0.
+        // The tick count of a fresh lump begins at 0.
         const double dt_s = static_cast<double>(tick - (tick < last_tick ? 0 : last_tick)) / kRateHz;
         last_tick = tick;
         frame(dt_s);
@@ -156,7 +156,7 @@ bool UnseenKiosk::journal_catches_up() {
         }
         return bytes;
     };
-    // The first block may have begun before.
+    // The first new block may have begun before this call; the second has not.
     for (int block = 0; block < 2; ++block)
         if (!until([&, before = journal_bytes()] { return journal_bytes() > before; }, kSlowly)) return false;
     return true;

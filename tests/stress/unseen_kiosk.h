@@ -64,10 +64,11 @@ class UnseenKiosk {
     [[nodiscard]] double now_s() const;
     // Where the last frame shows a place on the wheel, px.
     [[nodiscard]] std::optional<dvec2> seen(const dvec3& place_mm) const;
-    // So long by the wheel's own clock, which falls behind the clock on the wall where the machine is slow.
+    // Draws frames for that many seconds of the wheel's own clock, which falls behind the wall clock on a
+    // slow machine.
     void passes(double seconds);
-    // Until what has happened so far is in the journal on the disk, which gets a block a second. False: it
-    // did not get there.
+    // Draws frames until the journal on the disk, which gets a block a second, holds all that has happened so
+    // far. False: it does not within the patience.
     [[nodiscard]] bool journal_catches_up();
     // Where somebody asked to see it: a picture of that name, of a scene at rest after so long.
     void look(const std::string& name, double rest_s = 1.2);

@@ -82,7 +82,8 @@ inline std::string in_child(const std::function<std::string()>& work) {
     return answer;
 }
 
-// In a child: a namespace of its own, as root or through a user namespace. False where neither is had.
+// In a child: a namespace of that kind of its own, as root or through a user namespace. False: both are
+// refused.
 inline bool enter_own(int kind) {
     const uid_t user = ::getuid();
     const gid_t group = ::getgid();

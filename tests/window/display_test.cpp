@@ -69,9 +69,9 @@ class ADisplay : public testing::Test {
         drawn.off_refresh = *middle;
         return drawn;
     }
-    // Tried again for a while, because others who want the processor make frames late. Who follows another
-    // clock never does: that of 60 Hz is a quarter of a period off each of the rates here. A frame that is
-    // late takes two.
+    // Repeats the measurement for a while, because other processes make frames late. A pacer that follows
+    // another clock never passes: the clock of 60 Hz is a quarter of a period off each of the rates here. A
+    // late frame takes two periods.
     void expect_followed(int display_hz) {
         Drawn drawn;
         EXPECT_TRUE(test::comes_true([&] {

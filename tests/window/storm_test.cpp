@@ -69,8 +69,8 @@ class AWindow : public testing::Test {
         ASSERT_NE(storm, nullptr);
         storms_.push_back(storm);
     }
-    // Until all of it is over, which may take long where others want the processor: none may come after what
-    // is asked for next.
+    // Draws until every xdotool that weather() started has ended, so that none of them overtakes the next
+    // one.
     void calm() {
         const auto is_over = [](FILE* storm) {
             pollfd end{::fileno(storm), POLLIN, 0};
@@ -214,7 +214,7 @@ TEST_F(AWindow, ComesBackWithinTwoSecondsOfItsDeviceBeingLostAtAnyMoment) {
                                        .after = static_cast<int>(chance() % 3)});
         // Memory is asked for when a size is another.
         weather(fmt::format("windowsize {} 410", 405 + 10 * loss));
-        // The size comes when the weather has its turn; what is lost is mended in the frame that finds it so.
+        // The new size may come late. Only the frame that finds the loss, and mends it, is timed.
         std::clock_t start = 0;
         ASSERT_TRUE(test::comes_true([&] {
             start = std::clock();
