@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Runs the tests that ctest lists, as many at once as the machine bears.
+"""Runs the tests that ctest lists, as many at once as the cores have idle time for.
 
 run_tests.py BUILD [CTEST OPTION...]: BUILD is a build folder; the options choose tests as ctest's do (-L, -LE, -R).
 What a test prints is kept in BUILD/Testing/NAME.log, and the seconds that each took in BUILD/Testing/seconds.txt, as
 tests/tests.txt has them. Exit code: 0 all passed, 1 some failed, 2 no test was found.
 
 ctest starts a fixed number of tests and measures a time limit by the clock, so a busy machine fails tests that would
-pass. Here one test a core runs at least, and another whenever the cores have been idle enough for it; and a test's
-limit counts the time in which it ran or waited for something, not the time in which it waited for a core.
+pass. This runner keeps one test running for each core, and starts another whenever the cores have been idle enough for
+it. A test's time limit does not count the time in which the test waited for a core.
 """
 
 import json
@@ -22,6 +22,8 @@ from pathlib import Path
 
 POLL_S = 0.25
 LOOKS_EVERY_S = 1.0
+# By the clock a test may take so many times its limit, however long it waited for a core.
+MOST_LIMITS = 10
 # Another test starts when this much of a core has been idle for so long.
 IDLE_CORES = 0.3
 SETTLING_S = 2.0
@@ -113,15 +115,17 @@ class Run:
         return time.monotonic() - self.began
 
     def hangs(self):
-        """Whether it is over its limit, less the time in which it waited for a core.
+        """Returns whether it is over its limit, not counting the time in which it waited for a core.
 
-        /proc is read only then, and seldom: entries that were looked at make the end of a process slow.
+        Reads /proc only when the clock is over the limit, and seldom: the kernel is slow to end a process whose entries
+        in /proc are read often.
         """
         now = time.monotonic()
         if self.elapsed_s() <= self.test.limit_s or now - self.looked < LOOKS_EVERY_S:
             return False
         self.looked = now
-        return self.elapsed_s() - longest_wait_s(Processes().of(self.process.pid)) > self.test.limit_s
+        waited_s = min(longest_wait_s(Processes().of(self.process.pid)), self.elapsed_s() * (1 - 1 / MOST_LIMITS))
+        return self.elapsed_s() - waited_s > self.test.limit_s
 
     def end(self):
         """Ends what is left of it and returns what that was."""
@@ -171,7 +175,8 @@ class Suite:
         self.logs = Path(build, "Testing")
         self.logs.mkdir(parents=True, exist_ok=True)
         self.cores = Cores()
-        self.running, self.passed, self.skipped, self.failed = [], [], [], []
+        self.running = []
+        self.passed, self.skipped, self.failed = [], [], []  # pairs of a test and why
         self.seconds = {}
         self.setups = {name: {test.name for test in tests if name in test.provides} for test in tests for name in test.needs}
         self.began = self.reported = time.monotonic()
@@ -179,12 +184,15 @@ class Suite:
     def elapsed_s(self):
         return time.monotonic() - self.began
 
+    def over(self):
+        return [test for test, _ in self.passed + self.skipped + self.failed]
+
     def startable(self):
         """The longest test that may start now; None: there is none."""
         if any(run.test.is_serial for run in self.running):
             return None
         taken = set().union(*(run.test.locks for run in self.running))
-        passed = {test.name for test in self.passed}
+        passed = {test.name for test, _ in self.passed}
         for test in self.waiting:
             ready = all(self.setups[name] <= passed for name in test.needs)
             alone = not self.running or not test.is_serial
@@ -204,46 +212,42 @@ class Suite:
             self.running.append(Run(test, self.logs / f"{test.name}.log"))
             self.cores.look_again()
 
-    def fail(self, test, why):
-        self.failed.append((test, why))
-        # What needs it never starts.
-        for other in [other for other in self.waiting if other.needs & test.provides]:
-            self.waiting.remove(other)
-            self.fail(other, f"did not run, because {test.name} failed")
+    def judge(self, run, hangs, left):
+        """The list that the test belongs to now, and why."""
+        test, status = run.test, run.process.returncode
+        output = run.log.read_text(errors="replace")
+        if hangs:
+            return self.failed, f"over its limit of {test.limit_s:.0f} s after {run.elapsed_s():.0f} s; still running: {left}"
+        if status == test.skip_code or status == 0 and any(words.search(output) for words in test.skip_words):
+            return self.skipped, (output.strip().splitlines() or ["no reason given"])[-1]
+        if status != 0:
+            return self.failed, f"signal {-status}" if status < 0 else f"exit code {status}"
+        return self.passed, ""
 
-    def finish(self, run, why=""):
-        """`why`: it was ended, and for what reason."""
+    def finish(self, run, hangs=False):
         self.running.remove(run)
-        status = run.process.poll()
         self.seconds[run.test.name] = run.elapsed_s()
-        left = run.end()
-        test, output = run.test, run.log.read_text(errors="replace")
-        if not why and status != test.skip_code and status != 0:
-            why = f"signal {-status}" if status < 0 else f"exit code {status}"
-        if why:
-            word = "FAILED"
-            self.fail(test, f"{why}; ran then: {left}" if left and "limit" in why else why)
-        elif status == test.skip_code or any(words.search(output) for words in test.skip_words):
-            word = "skipped"
-            self.skipped.append(test)
-        else:
-            word = "passed"
-            self.passed.append(test)
-        done = len(self.passed) + len(self.skipped) + len(self.failed)
-        print(f"[{done:3}/{self.count}] {word:7} {test.name} {run.elapsed_s():.1f} s", flush=True)
-        if word == "FAILED":
-            print(output, end="" if output.endswith("\n") else "\n", flush=True)
+        outcome, why = self.judge(run, hangs, run.end())
+        outcome.append((run.test, why))
+        if outcome is not self.passed:  # what needs it does not run, with the same outcome
+            for other in [other for other in self.waiting if other.needs & run.test.provides]:
+                self.waiting.remove(other)
+                outcome.append((other, f"did not run, because {run.test.name} did not pass"))
+        word = "passed" if outcome is self.passed else "skipped" if outcome is self.skipped else "FAILED"
+        print(f"[{len(self.over()):3}/{self.count}] {word:7} {run.test.name} {run.elapsed_s():.1f} s", flush=True)
+        if outcome is self.failed:
+            print(run.log.read_text(errors="replace").rstrip("\n"), flush=True)
 
     def look(self):
         for run in list(self.running):
             if run.process.poll() is not None:
                 self.finish(run)
             elif run.hangs():
-                self.finish(run, f"over its limit of {run.test.limit_s:.0f} s after {run.elapsed_s():.0f} s")
+                self.finish(run, hangs=True)
 
     def report(self):
         self.reported += PROGRESS_S
-        over = self.passed + self.skipped + [test for test, _ in self.failed]
+        over = self.over()
         done_s = sum(test.cost_s for test in over) + sum(min(run.test.cost_s, run.elapsed_s()) for run in self.running)
         left_s = sum(test.cost_s for test in self.waiting) + sum(max(0.0, run.test.cost_s - run.elapsed_s()) for run in self.running)
         running = ", ".join(f"{run.test.name} ({run.elapsed_s():.0f} s)" for run in self.running)
@@ -262,9 +266,8 @@ class Suite:
     def conclude(self):
         lines = [f"{name:42} {math.ceil(seconds)}" for name, seconds in sorted(self.seconds.items())]
         Path(self.logs, "seconds.txt").write_text("\n".join(lines) + "\n")
-        for test in self.skipped:
-            reason = Path(self.logs, f"{test.name}.log").read_text(errors="replace").strip().splitlines()
-            say(f"skipped {test.name}: {reason[-1] if reason else 'no reason given'}")
+        for test, why in self.skipped:
+            say(f"skipped {test.name}: {why}")
         for test, why in self.failed:
             say(f"FAILED {test.name}: {why}; again: ctest --test-dir {self.build} -R '^{test.name}$' --output-on-failure")
         say(f"took {self.elapsed_s():.0f} s")

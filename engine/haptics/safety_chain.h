@@ -7,7 +7,7 @@
 //                   motors of its own, which were warm or loose before it got the tool.
 //   hid::ForceGate  last, on each device's I/O thread: the tick may have stopped, or the device may have been
 //                   plugged in a moment ago, and nothing on the haptic thread would know. It only takes away.
-// What the last two leave of a force comes back as SafetyInput::applied_share, so that the observer counts
+// What the last two leave of a force comes back as SafetyInput::applied_fraction, so that the observer counts
 // what really went out. SAFETY.md beside this file says what each stage does, with its numbers, and why.
 #pragma once
 

@@ -70,7 +70,14 @@ class Runner(unittest.TestCase):
     def test_runs_nothing_whose_setup_failed(self):
         code, text = self.run_tests({"makes": ("false", "FIXTURES_SETUP pots"), "reads": ("true", "FIXTURES_REQUIRED pots")})
         self.assertEqual(code, 1, text)
-        self.assertIn("FAILED reads: did not run, because makes failed", text)
+        self.assertIn("FAILED reads: did not run, because makes did not pass", text)
+
+    def test_skips_what_needs_a_skipped_setup(self):
+        code, text = self.run_tests({"makes": ("echo no pots; exit 77", "FIXTURES_SETUP pots SKIP_RETURN_CODE 77"),
+                                     "reads": ("true", "FIXTURES_REQUIRED pots")})
+        self.assertEqual(code, 0, text)
+        self.assertIn("skipped makes: no pots", text)
+        self.assertIn("skipped reads: did not run, because makes did not pass", text)
 
     def test_keeps_what_shares_a_lock_apart(self):
         words = "mkdir taken && sleep 0.5 && rmdir taken"
