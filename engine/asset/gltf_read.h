@@ -26,7 +26,8 @@ struct GltfLimits {
 
 // One primitive of one node, placed by all the nodes above it.
 struct GltfPart {
-    std::string node;  // its name; may be empty
+    std::string node;       // its name; may be empty
+    std::string mesh_name;  // may be empty
     Mesh mesh;         // metres, +Y up, counter-clockwise from outside also below a mirroring node
     // COLOR_0 as linear red, green, blue, alpha; empty where the file has none, else one a vertex.
     std::vector<vec4> colours;
@@ -36,11 +37,14 @@ struct GltfPart {
 struct GltfModel {
     std::vector<Material> materials;  // textures are left out: only the factors are read
     std::vector<GltfPart> parts;      // in the order of the scene's nodes; at least one
+    std::vector<std::string> left_out;  // "mesh 'grid': lines", each once: what is there and is not drawn
 };
 
-// The default scene, or the first. `name` is what an error calls the file. kBadInput for anything but a whole
-// GLB of triangles within the limits: also sparse or compressed accessors, extensions that the file requires,
-// and buffers or images outside the file. Missing normals are made, smooth across shared vertices.
+// The default scene, or the first; of a file without scenes, all nodes that are nobody's child. Triangles, strips and fans
+// are read; points and lines are left out, and so are extensions of the surface (KHR_materials_*, textures, lights), even
+// where the file requires them. `name` is what an error calls the file. kBadInput for anything but a whole GLB with triangles
+// within the limits: also sparse or compressed accessors, other extensions that the file requires, and buffers or images
+// outside the file. Missing normals are made, smooth across shared vertices.
 Result<GltfModel> decode_glb(std::span<const std::byte> bytes, std::string_view name,
                              const GltfLimits& limits = {});
 

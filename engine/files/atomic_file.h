@@ -17,6 +17,10 @@ namespace onggi::files {
 // System lacks: permission denied, a file system that cannot be written.
 [[nodiscard]] Result<void> check_output_place(const std::filesystem::path& destination);
 
+// Whether a file system has refused to sync a folder since the start: a power cut may lose the name of the newest file
+// there. Any thread.
+[[nodiscard]] bool folder_sync_was_refused() noexcept;
+
 // Where the bytes wait until commit().
 enum class Beside {
     kNameless,  // in a file without a name where the file system can: a killed program leaves nothing behind

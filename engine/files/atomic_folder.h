@@ -33,8 +33,8 @@ class AtomicFolder {
 };
 
 // Takes a folder away with all that is in it: out of its place first and at once, so that a power cut in
-// between leaves NAME.part and never half a folder. System lacks: it cannot be; one that is not there is bad
-// input.
+// between leaves NAME.part and never half a folder; but file by file on overlayfs, where a folder of the lower layer
+// cannot be renamed. System lacks: it cannot be; one that is not there is bad input.
 Result<void> take_away_folder(const std::filesystem::path& folder);
 
 // Takes away every NAME.part folder in `around`, and with `deep` in its folders, and what an AtomicFile of a

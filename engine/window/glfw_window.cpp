@@ -218,9 +218,13 @@ class GlfwWindow final : public Window {
     [[nodiscard]] std::vector<Event> poll_events() override {
         glfwPollEvents();
         if (fingers_) follow_fingers();
+        show_cursor(arrow_.is_shown(glfwGetTime()));
         // A screen that is unplugged leaves a window; one that is plugged in again shall be filled.
-        if (wants_full_screen_ && glfwGetWindowMonitor(window_) == nullptr) fill_screen();
-        if (std::exchange(moved_, false)) refresh_hz_ = refresh_now_hz();
+        if (wants_full_screen_ && !fills_screen()) fill_screen();
+        if (std::exchange(moved_, false)) {
+            come_onto_the_display();
+            refresh_hz_ = refresh_now_hz();
+        }
         return std::exchange(events_, {});
     }
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return gamepads_now(); }
@@ -237,12 +241,13 @@ class GlfwWindow final : public Window {
 
     void set_full_screen(bool full_screen) override {
         wants_full_screen_ = full_screen;
-        if ((glfwGetWindowMonitor(window_) != nullptr) == full_screen) return;
+        if (fills_screen() == full_screen) return;
         if (full_screen) {
             glfwGetWindowPos(window_, &windowed_x_, &windowed_y_);
             glfwGetWindowSize(window_, &windowed_.width, &windowed_.height);
             fill_screen();
         } else {
+            if (std::exchange(covers_display_, false)) glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_TRUE);
             const Size size = windowed_.width > 0 ? windowed_ : Size{1280, 720};
             glfwSetWindowMonitor(window_, nullptr, windowed_x_, windowed_y_, size.width, size.height,
                                  GLFW_DONT_CARE);
@@ -253,11 +258,29 @@ class GlfwWindow final : public Window {
     static GlfwWindow& self(GLFWwindow* window) {
         return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
     }
+    [[nodiscard]] bool fills_screen() const { return covers_display_ || glfwGetWindowMonitor(window_) != nullptr; }
     void fill_screen() {
         GLFWmonitor* monitor = glfwGetPrimaryMonitor();
         const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
         if (mode == nullptr) return;
         glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+    // Without a CRTC by RandR, GLFW 3.3 places a full screen at numbers that it never set: somewhere, and black. Then a window
+    // without a frame covers the display.
+    void come_onto_the_display() {
+        GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
+        const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+        if (mode == nullptr) return;
+        int left = 0;
+        int top = 0;
+        int x = 0;
+        int y = 0;
+        glfwGetMonitorPos(monitor, &left, &top);
+        glfwGetWindowPos(window_, &x, &y);
+        if (std::abs(x - left) < mode->width && std::abs(y - top) < mode->height) return;
+        covers_display_ = true;
+        glfwSetWindowMonitor(window_, nullptr, left, top, mode->width, mode->height, GLFW_DONT_CARE);
+        glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_FALSE);
     }
     // Asks the server, so not once a frame. Of the display that shows the window's middle, or else of the
     // first.
@@ -298,10 +321,9 @@ class GlfwWindow final : public Window {
         return PointerEvent{x * pixels.width / units.width, y * pixels.height / units.height};
     }
     void push_pointer(double x, double y) {
-        show_cursor(true);
+        arrow_.moved(x, y, glfwGetTime());
         if (const auto pointer = in_pixels(x, y)) push(*pointer);
     }
-    // No arrow is left standing in the picture while fingers are at work.
     void show_cursor(bool shows) {
         if (std::exchange(shows_cursor_, shows) != shows)
             glfwSetInputMode(window_, GLFW_CURSOR, shows ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
@@ -311,7 +333,7 @@ class GlfwWindow final : public Window {
             const auto place = in_pixels(touch.x_px, touch.y_px).value_or(PointerEvent{});
             touch.x_px = place.x_px;
             touch.y_px = place.y_px;
-            show_cursor(false);
+            arrow_.touched();
             leading_.follow(touch, events_);
         }
     }
@@ -322,8 +344,10 @@ class GlfwWindow final : public Window {
     std::unique_ptr<TouchScreen> fingers_;  // null: a touch is the pointer's
     LeadingFinger leading_;
     bool shows_cursor_ = true;
+    PointerArrow arrow_{fingers_ == nullptr};
     double refresh_hz_ = refresh_now_hz();
-    bool moved_ = false;  // perhaps to another display
+    bool moved_ = true;  // perhaps to another display
+    bool covers_display_ = false;  // without being GLFW's full screen
     Size windowed_;
     int windowed_x_ = 0;
     int windowed_y_ = 0;

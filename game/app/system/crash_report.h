@@ -13,7 +13,8 @@ namespace onggi::app {
 
 // From now on SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT are reported before they end the program, each as a
 // line an event, by what may be called in a signal handler. A handler that is there already, a sanitizer's,
-// stays. Main thread, before others and before a supervisor's fork.
+// stays. An allocation that fails where nobody catches it ends the program with one line and exit code 3 instead. Main
+// thread, before others and before a supervisor's fork.
 void report_crashes();
 
 // Any one thread at a time: a crash from now on was led to by the session that grows there, and it is to be

@@ -111,12 +111,15 @@ Result<void> Gallery::remove(const KeptPot& pot) {
     return files::take_away_folder(pot.folder);
 }
 
-// The oldest leave first; never the newcomer, whose day may be wrong by the machine's clock.
-void Gallery::make_room(const fs::path& newcomer) {
+// The oldest leave first, and never the newcomer. A day after today is one of before the clock went back: it is older than
+// all that are not after today.
+void Gallery::make_room(const fs::path& newcomer, const std::string& today) {
     std::string trouble;
     std::vector<KeptPot> all = pots(&trouble);
     if (!trouble.empty()) return;  // nobody knows which are the oldest
     std::erase_if(all, [&](const KeptPot& pot) { return pot.folder == newcomer; });
+    std::stable_partition(all.begin(), all.end(),
+                          [&](const KeptPot& pot) { return pot.folder.parent_path().filename() <= today; });
     while (all.size() >= static_cast<std::size_t>(most_pots_)) {
         static_cast<void>(remove(all.back()));
         all.pop_back();
@@ -178,7 +181,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();
-    make_room(place);  // not before: a pot that cannot be kept costs no other its place
+    make_room(place, today);  // not before: a pot that cannot be kept costs no other its place
     return number;
 }
 

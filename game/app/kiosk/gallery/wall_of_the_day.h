@@ -25,7 +25,8 @@ class WallOfTheDay {
 
     explicit WallOfTheDay(std::filesystem::path file) : file_(std::move(file)) {}
 
-    // What is on the disk of that day; of another day, nothing. Bad input: the file is damaged; the wall is
+    // What is on the disk of that day; of another day, nothing. Until the machine's clock is set, the day on the disk goes
+    // on. Bad input: the file is damaged; the wall is
     // empty then, and the next pot that is put there writes it anew.
     Result<void> open(const std::string& today);
     // It is another day by the machine's clock, whichever way that went: what is on the disk of that day. A
