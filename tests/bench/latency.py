@@ -21,8 +21,8 @@ import time
 import watched_kiosk
 
 FRAME_S = 1.0 / 60.0
-# Of a picture of 1280x720: where somebody begins, throws as they like, and moves a hand; and what of it is looked at, where
-# the arm of that hand comes from: nothing else moves there.
+# In a picture of 1280x720: where a visitor starts, throws freely, and moves a hand; and the part that is
+# compared, where the arm of that hand comes from: nothing else moves there.
 BEGIN = (640, 360)
 FREE = (174, 508)
 ABOVE, BELOW = (900, 250), (900, 330)

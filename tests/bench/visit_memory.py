@@ -22,7 +22,7 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def most_of_visit(program, targets, size):
-    """Of its own memory and of all that is resident, MB; the first is looked at ten times a second."""
+    """The largest anonymous and resident memory, MB; the first is sampled ten times a second."""
     with tempfile.TemporaryDirectory() as folder:
         starter = pathlib.Path(folder, "onggi")
         starter.write_text(f'#!/bin/sh\n[ "$1" != kiosk ] || echo $$ >{folder}/process\nexec {program} "$@"\n')
