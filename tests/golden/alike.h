@@ -41,9 +41,9 @@ constexpr int kOnEdges = 12;
 constexpr int kOnTexels = 64;
 constexpr int kTexelsApart = 16;  // levels, at most
 
-// What either backend draws alike to its pixel but for rounding: one sample, the same outlines, no smoothing
-// of them, and streaks of one texel, for how texels are read is the one thing in which they are meant to
-// differ; hands too, which the processor lights at their corners.
+// Settings with which both backends agree to the pixel, apart from rounding: one sample, the same silhouettes
+// without smoothing, streaks of one texel (texture filtering differs by design), and no hands, which the CPU
+// lights per vertex.
 inline render::RendererDesc strictly_alike(render::Backend backend, int height_px) {
     render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, height_px);
     desc.backend = backend;

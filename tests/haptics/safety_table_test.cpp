@@ -1,6 +1,5 @@
-// The fifteen safety properties of a kiosk's loop, and the tests that prove each besides
-// safety_properties_test.cpp, which shows them one by one. A test that is renamed or taken away is missed
-// here.
+// The fifteen safety properties of a kiosk's loop, and the tests of each besides safety_properties_test.cpp.
+// A renamed or removed test fails here.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -19,7 +18,7 @@ struct Proof {
     const char* test;
 };
 
-// The fifteen, and where each is proved besides here.
+// The fifteen properties, and the other tests of each.
 constexpr Proof kProvedElsewhere[] = {
     {1, "force within the device's peak and the profile's cap", "unit/haptics/safety_chain_test.cpp",
      "NeverGivesMoreThanThePeakNorChangesFasterThanAllowedWhateverComesIn"},

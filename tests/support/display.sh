@@ -3,10 +3,11 @@
 # scaled NUMBER: of seconds, or of looks that take about as long each, on this machine (ONGGI_SLOWNESS, set by ctest).
 scaled() { awk -v number="$1" -v slowness="${ONGGI_SLOWNESS:-1}" 'BEGIN { print int(number * slowness) }'; }
 
-# serve_display FOLDER SERVER WORD...: starts an X server, waits until it listens and sets `server` (its process) and
-# DISPLAY. What it says lies in FOLDER. The server itself picks a free number and tells it; guessing one would race with
-# other tests. Without -noreset it starts anew whenever its last client leaves, and turns away who comes just then. It
-# keeps the memory that a picture comes in: new for each frame, three million pages of a visit took it a tenth of a core.
+# serve_display FOLDER SERVER WORD...: starts an X server, waits until it listens and sets `server` (its
+# process) and DISPLAY. What it says lies in FOLDER. The server itself picks a free number and tells it;
+# guessing one would race with other tests. Without -noreset it restarts whenever its last client leaves, and
+# refuses a client that connects just then. It keeps the memory that a picture comes in: new for each frame,
+# three million pages of a visit took it a tenth of a core.
 serve_display() {
     MALLOC_MMAP_THRESHOLD_=33554432 MALLOC_TRIM_THRESHOLD_=134217728 \
         "${@:2}" -displayfd 1 -noreset -nolisten tcp >"$1/display" 2>"$1/display.log" &
@@ -24,9 +25,9 @@ serve_display() {
 # open_display FOLDER WxH: Xvfb. In FOLDER/Xvfb_screen0 lies what it shows, as xwd writes it.
 open_display() { serve_display "$1" Xvfb -fbdir "$1" -screen 0 "${2}x24"; }
 
-# open_touch_display FOLDER WxH: the X server of a desk with a touch screen, drawn into memory (xserver-xorg-video-dummy).
-# The screen is touched by `finger`, through the socket FOLDER/touch-screen: a relative path, because a socket's is short.
-# Of a seat with a name the server asks for no terminal.
+# open_touch_display FOLDER WxH: the X server of a desk with a touch screen, drawn into memory
+# (xserver-xorg-video-dummy). The screen is touched by `finger`, through the socket FOLDER/touch-screen: a
+# relative path, because a socket's is short. With a named seat the server needs no terminal.
 open_touch_display() {
     local folder wide=${2%x*} high=${2#*x}
     folder=$(realpath "$1")
