@@ -1,4 +1,4 @@
-// What a crash says of itself. Of one in the middle of a visit: tests/window/looked_after.sh.
+// The report of a crash. For a crash in the middle of a visit: tests/window/looked_after.sh.
 #include "game/app/system/crash_report.h"
 
 #include <gtest/gtest.h>

@@ -99,7 +99,7 @@ TEST(SystemProbes, SayWhatTheKiosksSettingsWantOrThatThereAreNone) {
     EXPECT_EQ(usual[0].found, file +
                                   ": visits begin in ko, of ko, en; unforgiving clay; a PIN for the staff; "
                                   "locked; open 09:30 to 17:05");
-    EXPECT_EQ(usual[0].found.find("1234"), std::string::npos) << "a PIN is nobody else's";
+    EXPECT_EQ(usual[0].found.find("1234"), std::string::npos) << "a PIN is private";
     EXPECT_EQ(usual[1].subject, "gallery");
     EXPECT_EQ(usual[1].verdict, Verdict::kGood) << usual[1].found;
     EXPECT_NE(usual[1].found.find(gallery), std::string::npos);
@@ -117,7 +117,7 @@ TEST(SystemProbes, SayWhatIsWrongWithTheKiosksSettings) {
     EXPECT_NE(wrong[0].found.find("line 2"), std::string::npos) << wrong[0].found;
     EXPECT_EQ(probe_settings(folder / "none.toml")[0].verdict, Verdict::kLacking) << "it was asked for";
 
-    // A disk of a million MB may be there.
+    // A machine may have a disk of a million MB.
     test::put_file(file, "[gallery]\nleast_free_mb = 1000000\nfolder = \"" + folder.path().string() + "\"\n");
     const bool is_full = std::filesystem::space(folder.path()).available < 1'000'000'000'000;
     const std::vector<Finding> full = probe_settings(file);

@@ -1,5 +1,5 @@
-// What the house's monitoring is told, by what lies on a disk and a clock that is given: well, silent, ended,
-// fallen; and that no file, however damaged, and no clock makes it say what is not so.
+// The status for a museum's monitoring, from files and a given clock: healthy, silent, ended, crashed; no
+// damaged file and no clock may lead to a false report.
 #include "game/app/kiosk/health/house_status.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A table of a line a visit, whatever was left of its last line.
+// Appends to a table whose last line may be incomplete.
 #include "engine/files/append_line.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is put aside comes back, from the disk or from memory, and leaves nothing behind.
+// Spilled bytes are read back, from disk or memory, and no file is left behind.
 #include "engine/files/spill_file.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the Inverse service says, taken apart; and what is no such thing, refused.
+// Parsing the Inverse service's messages, and refusing everything else.
 #include "engine/haptics/haply/inverse_messages.h"
 
 #include <gtest/gtest.h>

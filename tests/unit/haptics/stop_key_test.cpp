@@ -1,4 +1,4 @@
-// A pipe stands for the keyboard: the kernel's events come out of either.
+// A pipe replaces the keyboard: both yield the kernel's events.
 #include "engine/haptics/stop_key.h"
 
 #include <fcntl.h>

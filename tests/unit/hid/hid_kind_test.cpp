@@ -1,4 +1,4 @@
-// Which driver a device gets, and what a person is told about one that gets none.
+// The driver of a device, and the message about a device without one.
 #include "engine/haptics/hid/hid_kind.h"
 
 #include <gtest/gtest.h>

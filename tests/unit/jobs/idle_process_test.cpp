@@ -11,7 +11,7 @@
 namespace onggi::jobs {
 namespace {
 
-// Whether a shell's script succeeds, told a line or nothing.
+// Whether a shell script succeeds, with or without an input line.
 bool succeeds(const std::string& script, std::optional<std::string_view> line = std::nullopt) {
     auto process = IdleProcess::start({"/bin/sh", "-c", script});
     if (!process) return false;
@@ -31,7 +31,7 @@ TEST(IdleProcess, HearsOneLineAndThenTheEnd) {
 }
 
 TEST(IdleProcess, GetsWhatNobodyElseWantsOfTheProcessorAndNoDescriptor) {
-    // Told when it is to look, so that it does not before it is put there.
+    // It waits for a line, so that it does not check before the policy is set.
     constexpr const char* kPolicy =
         "read line; [ \"$(cut -d' ' -f41 /proc/self/stat)\" = 5 ]";  // SCHED_IDLE, proc(5)
     EXPECT_TRUE(succeeds(kPolicy, "now"));

@@ -1,4 +1,4 @@
-// What the hand may hold while it throws.
+// The tools of the throwing hand.
 #include <gtest/gtest.h>
 
 #include "game/kiosk/spoken.h"
@@ -59,7 +59,7 @@ TEST(Tools, TheTrayStaysOpenUnderATouchThatHadBegunBefore) {
 TEST(Tools, TheWireCutsOnceAndIsLaidBack) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kCut);
-    EXPECT_FALSE(visitor.caused(Effect::Kind::kCutRim)) << "nobody holds it";
+    EXPECT_FALSE(visitor.caused(Effect::Kind::kCutRim)) << "it is not held";
     visitor.presses(Button::kTakeTool, number(Held::kWire));
     EXPECT_EQ(spoken_key(visitor.state), "wire.how");
     visitor.presses(Button::kCut);

@@ -18,7 +18,7 @@ class EditedShaders : public testing::Test {
         age(std::chrono::hours(1));
         reload_ = std::make_unique<ShaderReload>(folder_.path());
     }
-    // So that an edit is newer, whatever the file system's clock is worth.
+    // So that an edit is newer, even with a coarse file system clock.
     void age(std::chrono::hours by) {
         for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
             std::filesystem::last_write_time(entry, entry.last_write_time() - by);

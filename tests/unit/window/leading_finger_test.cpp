@@ -12,7 +12,7 @@ namespace {
 
 using Phase = Touch::Phase;
 
-// Fingers on a screen, and what a pointer would have done, in words: "at 10,20 down at 11,20 up".
+// Fingers on a screen, and the equivalent pointer events as text: "at 10,20 down at 11,20 up".
 class AScreen : public testing::Test {
   protected:
     void touch(Phase phase, std::uint32_t finger, double x, double y, std::uint32_t time_ms) {
@@ -62,7 +62,7 @@ TEST_F(AScreen, LetsAHandThatLiesStillKeepNobodyFromTheWheel) {
     touch(Phase::kBegin, 2, 600, 300, 10000);
     EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down") << "nothing is pressed where it lies";
     touch(Phase::kMove, 1, 300, 500, 10010);
-    EXPECT_EQ(seen(), "") << "it is nobody now";
+    EXPECT_EQ(seen(), "") << "it is ignored now";
     touch(Phase::kEnd, 2, 600, 300, 10020);
     EXPECT_EQ(seen(), "at 600,300 up");
     touch(Phase::kMove, 1, 310, 500, 10030);
