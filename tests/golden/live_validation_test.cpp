@@ -23,7 +23,7 @@ wheel::View view_of(const GoldenScene& scene) {
 
 using support::ValidatedDevice;
 
-TEST_F(ValidatedDevice, IsPleasedByTheLivePictureOfEverySceneThroughAStormOfSizes) {
+TEST_F(ValidatedDevice, ReportsNothingForAnySceneWhileTheSizeChanges) {
     auto renderer =
         render::Renderer::create(*device_, render::live_desc(vk::Offscreen::kFormat, true, 240)).value();
     wheel::OpenedScene opened = wheel::open_scene({}, 320, 240);
@@ -57,7 +57,7 @@ TEST_F(ValidatedDevice, IsPleasedByTheLivePictureOfEverySceneThroughAStormOfSize
     }
 }
 
-TEST(LivePicture, PleasesItAsWellAfterEachOfItsDevicesWasLost) {
+TEST(LivePicture, CausesNoMessageAfterEachDeviceLoss) {
     auto view = wheel::LiveView::open({.width = 200,
                                        .height = 150,
                                        .headless = true,

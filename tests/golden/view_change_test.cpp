@@ -165,7 +165,7 @@ TEST_P(ViewChange, EndsItsFadeBeforeItIsCalledBack) {
 }
 
 // After the size has changed and changed back, kept layers are invalid.
-TEST_P(ViewChange, IsMadeAnewAfterOtherSizes) {
+TEST_P(ViewChange, IsRenderedAgainAfterOtherSizes) {
     go_to(wheel::View::kLookingIn);
     while (scene_.fade_in)
         next();
@@ -196,7 +196,7 @@ TEST_P(ViewChange, LeavesNothingOfTheOverlayBehind) {
     EXPECT_LE(apart(picture_, draw(bare, scene_), 0).worst, kMaskStep);
 }
 
-TEST_P(ViewChange, IsCutForWhoAskedForLessMotionWhenItIsReady) {
+TEST_P(ViewChange, IsCutWithReducedMotionWhenItIsReady) {
     opened_.scene->move_less(true);
     go_to(wheel::View::kLookingIn);
     EXPECT_NE(fading_.renderer->stats().still_life_drawn, keeps_what_stands_still());

@@ -131,7 +131,7 @@ TEST(SafetyProperty03, TheForceGrowsSlowlyAndGoesQuickly) {
     EXPECT_EQ(last_n(chain_without("slew"), kPush, resting(), {}, blunt, 1), 1.0);
 }
 
-TEST(SafetyProperty04, TheForceBeginsFromNothingAndOnlyOnceItIsSmall) {
+TEST(SafetyProperty04, TheForceRampsUpFromZeroOnceItIsSmall) {
     SafetyState start;
     EXPECT_EQ(largest_n(kSafetyChain, kPush, resting(), {}, start, 8000), 0.0);  // deep in the clay: never
     largest_n(kSafetyChain, dvec3(0.0), resting(), {}, start, 4);
@@ -140,7 +140,7 @@ TEST(SafetyProperty04, TheForceBeginsFromNothingAndOnlyOnceItIsSmall) {
     EXPECT_EQ(last_n(chain_without("ramp"), kPush, resting(), {}, blunt, 400), 1.0);
 }
 
-TEST(SafetyProperty05, NonsenseIsAFaultThatStays) {
+TEST(SafetyProperty05, AnInvalidInputLatchesAFault) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     SafetyState whole = engaged();
     whole.applied_force_n = kPush;
@@ -151,7 +151,7 @@ TEST(SafetyProperty05, NonsenseIsAFaultThatStays) {
     EXPECT_FALSE(passed == 0.0);  // NaN goes through to the device
 }
 
-TEST(SafetyProperty06, AToolThatFliesThroughTheClayIsLetGo) {
+TEST(SafetyProperty06, ATooFastToolLosesItsForce) {
     SafetyInput flying = resting();
     flying.velocity_mm_s = {-1500.0, 0.0, 0.0};
     SafetyState whole = engaged();
@@ -162,7 +162,7 @@ TEST(SafetyProperty06, AToolThatFliesThroughTheClayIsLetGo) {
 
 constexpr std::int64_t kMs = 1'000'000;
 
-TEST(SafetyProperty07, ALoopThatStandsStillLosesTheDevice) {
+TEST(SafetyProperty07, AHungLoopLosesItsForce) {
     Loop loop;
     loop.run(3000);
     ASSERT_GT(loop.force_n(), 0.3);
@@ -185,7 +185,7 @@ TEST(SafetyProperty07, ALoopThatStandsStillLosesTheDevice) {
     EXPECT_EQ(loop.work->newest_snapshot().safety.silences, 1U);
 }
 
-TEST(SafetyProperty07, AUsbDeviceIsToldNothingTwentyMillisecondsAfterTheLastOrder) {
+TEST(SafetyProperty07, AUsbDeviceGetsNoForceTwentyMillisecondsAfterTheLastOrder) {
     // HID reports are 4 ms apart, so the 5 ms cannot be met there; the device's own timeout is an effect that
     // ends by itself (tests/device, engine/haptics/README.md).
     const auto force_after = [](std::int64_t silence_ns) {
@@ -270,7 +270,7 @@ TEST(SafetyProperty11, ALoopThatIsLateMakesTheClaySofter) {
     EXPECT_EQ(last_n(chain_without("late"), kPush, late, {}, open, 4000), 1.0);
 }
 
-TEST(SafetyProperty12, ADeviceThatGoesAndComesBackBeginsFromNothing) {
+TEST(SafetyProperty12, ADeviceThatReturnsRampsUpFromZero) {
     Loop loop;
     loop.run(3000);
     ASSERT_GT(loop.force_n(), 0.3);
@@ -286,7 +286,7 @@ TEST(SafetyProperty12, ADeviceThatGoesAndComesBackBeginsFromNothing) {
     EXPECT_GT(silent.force_n(), 0.3);
 }
 
-TEST(SafetyProperty14, NobodyThereNoForce) {
+TEST(SafetyProperty14, AnAbsentHandGetsNoForce) {
     SafetyInput alone = resting();
     alone.hand_is_there = false;
     SafetyState whole = engaged();
@@ -296,7 +296,7 @@ TEST(SafetyProperty14, NobodyThereNoForce) {
     EXPECT_EQ(last_n(chain_without("hand"), kPush, alone, {}, open, 22), 1.0);
 }
 
-TEST(SafetyProperty14, AnIdleKioskAndAHungPictureLetGo) {
+TEST(SafetyProperty14, AnIdleKioskAndAHungPictureRemoveTheForce) {
     Loop idle;
     idle.run(3000);
     ASSERT_GT(idle.force_n(), 0.3);
@@ -323,7 +323,7 @@ TEST(SafetyProperty14, AnIdleKioskAndAHungPictureLetGo) {
     EXPECT_EQ(hung.device->silenced, 0);
 }
 
-TEST(SafetyProperty14, TheStopNeedsNoPictureAndHoldsUntilItIsTakenBack) {
+TEST(SafetyProperty14, TheStopNeedsNoPictureAndHoldsUntilRearmed) {
     Loop loop;
     loop.run(3000);
     ASSERT_GT(loop.force_n(), 0.3);

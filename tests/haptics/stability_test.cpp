@@ -120,7 +120,7 @@ std::pair<double, double> searched_figure(double kept) {
     return {kept < kMost ? tried : kMost, far_below};
 }
 
-TEST(StabilityBench, FindsTheFiguresOfItsTableAgain) {
+TEST(StabilityBench, MatchesItsTable) {
     if (const char* file = std::getenv("ONGGI_WRITE_STABILITY")) write_table(file);
     for (const DeviceCapabilities& device : bench_devices()) {
         for (const Between between : kAllBetween) {
@@ -148,7 +148,7 @@ TEST(StabilityBench, FailsOnAGrowingOscillation) {
     EXPECT_FALSE(is_stable(slippery, setting_of(Between::kNothing, 1000.0), 0.5));
 }
 
-TEST(StabilityBench, AgreesWithTheRuleOfPassivityWhereThereIsNothingElse) {
+TEST(StabilityBench, AgreesWithThePassivityConditionForABareWall) {
     // b > K T (1/2 + d) with one tick of delay: K = b/(1.5 T), 67 N/m at 1 kHz with 0.1 N s/m. The rule is a
     // bound for any hand; this wall, with a light press, is at its edge.
     for (const double damping_n_s_per_m : {0.1, 0.3, 1.0}) {

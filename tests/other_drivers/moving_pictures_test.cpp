@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(OfThePot, MovingPictures,
 
 class AStormOfSizes : public MovingPictures {};
 
-TEST_F(AStormOfSizes, PleasesTheValidationLayerOnEveryStepOfAGpu) {
+TEST_F(AStormOfSizes, CausesNoValidationMessageOnAnyGpuStep) {
     wheel::OpenedScene opened = wheel::open_scene({}, 320, 240);
     ASSERT_EQ(opened.lack, "");
     constexpr std::array<VkExtent2D, 4> kSizes{{{320, 240}, {97, 161}, {17, 16}, {417, 235}}};

@@ -64,7 +64,7 @@ class NeverFlashes : public testing::Test {
     const double begin_s = kiosk.now_s();
 };
 
-TEST_F(NeverFlashes, WhileNobodyIsThereAndWhenSomebodyComes) {
+TEST_F(NeverFlashes, OnTheAttractScreenOrWhenAVisitorComes) {
     ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kAttract; }, 0.0));
     const auto shows_pot = [&] { return kiosk.shown_exhibit() >= 0; };
     watch(24.5, kSlowS);

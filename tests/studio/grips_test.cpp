@@ -73,7 +73,7 @@ TEST(Grips, LetGoInTheTickInWhichTheFingerLifts) {
     EXPECT_EQ(finger.faces(), before);
 }
 
-TEST(Grips, LeaveTheSameBitsWhoeverGoesOnFromTheMiddleOfATouch) {
+TEST(Grips, LeaveTheSameBitsWhenResumedInTheMiddleOfATouch) {
     Finger finger;
     finger.open();
     finger.input.pressing = true;

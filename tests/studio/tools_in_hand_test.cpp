@@ -124,7 +124,7 @@ TEST(ToolsInHand, TheWireLevelsTheRimToATenthOfAMillimetre) {
 }
 
 // Scrubs like a child: anywhere, in any direction, at any speed, for half a minute.
-TEST(ToolsInHand, NobodyRuinsAPotWithARibOrASponge) {
+TEST(ToolsInHand, NoRibOrSpongeRuinsAPot) {
     for (const StudioTool tool : {StudioTool::kRib, StudioTool::kSponge}) {
         Finger finger = rough_pot();
         std::minstd_rand random(tool == StudioTool::kRib ? 7 : 11);

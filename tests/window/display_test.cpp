@@ -121,7 +121,7 @@ TEST_F(ADisplay, ThatIsLostWhileItIsWaitedForIsMended) {
     expect_followed(45);
 }
 
-TEST_F(ADisplay, IsAskedNothingByWhatKeepsFalling) {
+TEST_F(ADisplay, IsNotWaitedForByADeviceThatKeepsFailing) {
     ASSERT_TRUE(test::comes_true([&] { return draw(30).on_beat > 0.9; }));
     open(true);
     EXPECT_EQ(draw(30).on_beat, 0.0);

@@ -188,7 +188,7 @@ TEST(AFaultWhileSomebodyThrows, LeavesTheMouseItsClayAndGivesTheForceBackAfterAR
     EXPECT_EQ(wheel.stick.felt_n, 0.0);
 }
 
-TEST(AFaultWhileSomebodyThrows, ThatComesAgainIsTakenBackAgainAndPushesNobody) {
+TEST(AFaultWhileSomebodyThrows, ThatRepeatsIsClearedAgainWithoutAForce) {
     MouseAndStick wheel;
     wheel.throw_with_the_stick();
     for (int time = 1; time <= 3; ++time) {

@@ -186,7 +186,7 @@ TEST_F(TouchThatGoesWrong, EndsWithASecondButton) {
     EXPECT_FALSE(other.said(Kind::kHandDown)) << "in whichever order";
 }
 
-TEST_F(TouchThatGoesWrong, EndsWhenNobodyMovesItForAMinute) {
+TEST_F(TouchThatGoesWrong, EndsAfterAMinuteWithoutMotion) {
     finger_.waits(58.0);
     EXPECT_FALSE(ended());
     finger_.moves(602, 301).waits(1.0);
@@ -196,7 +196,7 @@ TEST_F(TouchThatGoesWrong, EndsWhenNobodyMovesItForAMinute) {
     stays_ended();
 }
 
-TEST_F(TouchThatGoesWrong, GoesOnAsLongAsSomebodyMovesIt) {
+TEST_F(TouchThatGoesWrong, GoesOnWhileItMoves) {
     for (int minute = 0; minute < 5; ++minute)
         finger_.waits(50.0).moves(600 + 10 * (minute % 2), 310);
     EXPECT_FALSE(ended());
@@ -229,7 +229,7 @@ TEST_F(TouchThatGoesWrong, EndsWhereItsReleaseWasLost) {
     EXPECT_FALSE(finger_.pointer.rests_on_scene());
 }
 
-TEST_F(KioskPointer, TakesAShakenMouseForNobody) {
+TEST_F(KioskPointer, IgnoresAShakenMouse) {
     finger.moves(640, 360);
     EXPECT_FALSE(finger.said(Kind::kLife)) << "it only lies where the window opened";
     for (int i = 0; i < 50; ++i)
@@ -295,7 +295,7 @@ TEST_F(KioskPointer, IsUsedWithOneSwitchAlone) {
     EXPECT_EQ(finger.pointer.focus(), 0);
 }
 
-TEST_F(KioskPointer, OpensTheCornerForWhoeverHoldsItFiveSeconds) {
+TEST_F(KioskPointer, OpensTheCornerWhenHeldForFiveSeconds) {
     finger.moves(20, 20).presses().waits(4.5);
     EXPECT_FALSE(finger.said(Kind::kCornerHeld));
     finger.waits(1.0);

@@ -44,7 +44,7 @@ TEST_F(KioskStatisticsTest, KeepsADayAndAnHourOfBreaksAndStarts) {
     EXPECT_TRUE(std::regex_match(text_of(folder.path() / "starts.csv"), one));
 }
 
-TEST_F(KioskStatisticsTest, KeepsCountsOfPhonesAndNothingOfWhom) {
+TEST_F(KioskStatisticsTest, CountsPhonesWithoutIdentifyingThem) {
     ASSERT_TRUE(note_phones(folder.path(), {.codes = 1}));
     ASSERT_TRUE(note_phones(folder.path(), {.pages = 3, .models = 2, .prints = 1}));
     const std::regex expected(

@@ -108,7 +108,7 @@ TEST(Service, TellsItsManagerWhatGoesOn) {
     }
 }
 
-TEST(Service, BeatsForNobodyWhoDoesNotWatch) {
+TEST(Service, SendsNoPingWithoutAWatchdog) {
     const test::TemporaryFolder folder;
     Manager manager(folder.path().string() + "/notify");
     for (const char* broken : {"", "soon", "-1", "10s"}) {

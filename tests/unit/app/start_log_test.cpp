@@ -100,7 +100,7 @@ TEST(StartKeeper, CountsFallsFromOneStartToTheNext) {
     }
 }
 
-TEST(StartKeeper, MeetsABrokenFileWithOneLineAndBeginsAnew) {
+TEST(StartKeeper, ReportsABrokenFileInOneLineAndStartsFresh) {
     const test::TemporaryFolder folder;
     std::filesystem::create_directories(folder / "state");
     test::put_file(folder / "state/starts", "onggi starts 1\nrunning\nfell yesterday\n");

@@ -59,7 +59,7 @@ TEST_F(WallTest, HoldsEachPotOnceAndTheNewestOfThem) {
     EXPECT_TRUE(later.pots().empty());
 }
 
-TEST_F(WallTest, BeginsAnewWhereItsFileIsDamaged) {
+TEST_F(WallTest, StartsEmptyIfItsFileIsDamaged) {
     std::filesystem::create_directories(file_.parent_path());
     for (const char* damage :
          {"", "{", "[]", R"({"day":"2026-11-24"})", R"({"day":"2026-11-24","pots":[{}]})",

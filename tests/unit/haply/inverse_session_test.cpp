@@ -138,7 +138,7 @@ TEST_F(InverseSessionTest, LetsGoAtOnceWhenTheWatchdogAsksAndStaysLooseUntilTheF
     EXPECT_EQ(after_ms(1200, {1.0, 0.0, 0.0}), force);
 }
 
-TEST_F(InverseSessionTest, BeginsAnewWithADeviceThatComesBack) {
+TEST_F(InverseSessionTest, RestartsWithADeviceThatReturns) {
     connect();
     after_ms(2, dvec3(0.0));
     after_ms(1200, {1.0, 0.0, 0.0});
@@ -153,7 +153,7 @@ TEST_F(InverseSessionTest, BeginsAnewWithADeviceThatComesBack) {
     EXPECT_EQ(after_ms(1, {1.0, 0.0, 0.0}), probe_message("049D", false)) << "loose until its ramp";
 }
 
-TEST_F(InverseSessionTest, RejectsWhatTheServiceWouldNotSayAndTellsWhy) {
+TEST_F(InverseSessionTest, RejectsInvalidMessagesWithAReason) {
     session_.opened();
     EXPECT_FALSE(session_.take("hello", 0));
     session_.closed("not a message of the Inverse service");

@@ -105,7 +105,7 @@ TEST(ForceTest, PushesEachWayInTurnAndSaysWhatTheHandDid) {
     EXPECT_EQ(size_of(bench.hand->told.back()), 0.0);
 }
 
-TEST(ForceTest, WaitsForTheRampWhereNobodyWasAtTheWheelAndLeavesNobodyThere) {
+TEST(ForceTest, WaitsForTheRampAfterAnAbsentHandAndLeavesItAbsent) {
     Bench bench;
     bench.run(2000);
     EXPECT_TRUE(bench.work->send(Command::kLetGo));
@@ -150,7 +150,7 @@ TEST(ForceTest, GivesTheSameForcesToTheBitAndLeavesTheClayAlone) {
     EXPECT_EQ(records, 4500);
 }
 
-TEST(ForceTest, StopsForTheStopKeyAFreshLumpAndAHandThatNobodyHolds) {
+TEST(ForceTest, StopsForTheStopKeyAFreshLumpAndAReleasedHand) {
     Bench stopped;
     stopped.run(2000);
     stopped.tests_the_force(150);

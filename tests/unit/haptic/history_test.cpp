@@ -115,7 +115,7 @@ TEST_F(HistoryTest, GoesOnFromWhereItWasTakenBackTo) {
     EXPECT_EQ(wheel.history.state_at(3000).value().hash(), straight.history.state_at(3000).value().hash());
 }
 
-TEST_F(HistoryTest, BeginsAnewWithAFreshLump) {
+TEST_F(HistoryTest, RestartsWithAFreshLump) {
     wheel.throw_until(1500);
     wheel.state.restart_from(test::studio_start());
     wheel.tick(0, TickRecord::kFreshLump);

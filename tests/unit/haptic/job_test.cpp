@@ -127,7 +127,7 @@ TEST(HapticWork, KeepsARecordOfEveryTickThatReplaysToTheSameHashes) {
     EXPECT_EQ(replayed.hash(), bench.work.state().hash());
 }
 
-TEST(HapticWork, CountsTheRecordsNobodyFetched) {
+TEST(HapticWork, CountsUnreadRecords) {
     JobBench bench({.run_ticks = 100, .record_capacity = 64});
     bench.run();
     EXPECT_EQ(bench.work.dropped_records(), 36U);

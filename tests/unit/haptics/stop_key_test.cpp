@@ -73,7 +73,7 @@ TEST(StopKey, SurvivesAKeyboardThatIsPulledOut) {
     EXPECT_EQ(presses, 1);
 }
 
-TEST(StopKey, IsHeardWhileNobodyElseListens) {
+TEST(StopKey, WorksWhileEveryOtherThreadHangs) {
     // This thread is the one that hangs: it only sleeps.
     Keyboard keyboard;
     std::atomic<bool> stopped{false};

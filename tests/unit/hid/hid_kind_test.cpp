@@ -32,7 +32,7 @@ TEST(HidKind, KnowsDevicesByTheirNumbers) {
     }
 }
 
-TEST(HidKind, KnowsForceJoysticksByTheirDescriptorWhoeverMadeThem) {
+TEST(HidKind, KnowsForceJoysticksOfAnyMakerByTheirDescriptor) {
     HidDeviceInfo stick = device(0x1234, 0x5678);
     stick.report_descriptor = testing::open_ffboard_descriptor();
     EXPECT_EQ(recognised(stick).kind, HidKind::kForceJoystick);

@@ -106,7 +106,7 @@ TEST_F(HidSessionTest, PublishesTheNewestOfSixtyFourStaleReports) {
     EXPECT_TRUE(script->queue.empty());
 }
 
-TEST_F(HidSessionTest, ComesOutOfARoundAlthoughADeviceNeverFallsSilent) {
+TEST_F(HidSessionTest, EndsARoundAlthoughADeviceKeepsReporting) {
     step();
     for (int count = 0; count < 1000; ++count)
         script->report("01 05");
@@ -198,7 +198,7 @@ TEST_F(HidSessionTest, SaysHowMuchOfTheForceItsOwnRampLetThrough) {
     EXPECT_EQ(link.input.latest().force_fraction, 0.0);
 }
 
-TEST_F(HidSessionTest, TakesTheForceAwayWhenTheTickStops) {
+TEST_F(HidSessionTest, RemovesTheForceWhenTheTickStops) {
     reach_full_force();
     ASSERT_GT(told->force_n.x, 0.9);
     const std::int64_t stopped_ns = now_ns;
@@ -209,7 +209,7 @@ TEST_F(HidSessionTest, TakesTheForceAwayWhenTheTickStops) {
     EXPECT_LE(last_round_ns - stopped_ns, 30 * kMs);
 }
 
-TEST_F(HidSessionTest, TakesTheForceAwayWhenItsInputIsStale) {
+TEST_F(HidSessionTest, RemovesTheForceWhenItsInputIsStale) {
     reach_full_force();
     ASSERT_GT(told->force_n.x, 0.9);
     script->report("00 10");
@@ -221,7 +221,7 @@ TEST_F(HidSessionTest, TakesTheForceAwayWhenItsInputIsStale) {
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kReady) << "it is still plugged in";
 }
 
-TEST_F(HidSessionTest, LeavesTheDeviceInPeaceWhenItEnds) {
+TEST_F(HidSessionTest, StopsTheForceWhenItEnds) {
     step();
     session->finish();
     EXPECT_EQ(notes, (std::vector<std::string>{"start", "stop"}));
@@ -245,7 +245,7 @@ TEST_F(HidSessionTest, SaysWhyADeviceIsRefused) {
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kReady);
 }
 
-TEST_F(HidSessionTest, SaysWhatADeviceDidNotDoAndTriesAgain) {
+TEST_F(HidSessionTest, ReportsAFailingDeviceAndTriesAgain) {
     told->refuses_ = true;
     step();
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kFailed);
@@ -256,7 +256,7 @@ TEST_F(HidSessionTest, SaysWhatADeviceDidNotDoAndTriesAgain) {
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kReady);
 }
 
-TEST_F(HidSessionTest, TakesTheNextDeviceWhereTheFirstDoesNotDoWhatItShould) {
+TEST_F(HidSessionTest, TakesTheNextDeviceIfTheFirstFails) {
     HidDeviceInfo broken = script->info;
     broken.path = "/dev/hidraw8";
     HidDeviceInfo forbidden = script->info;

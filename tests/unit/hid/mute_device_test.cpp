@@ -126,7 +126,7 @@ TEST_F(StickInTheClay, ThatRestsAfterALastWordIsTakenForMuteOnceAndNeverAgain) {
     EXPECT_EQ(force_n.y, 1.0);
 }
 
-TEST(ReportHabit, DoesNotTakeAThreadThatWasKeptWaitingForADeviceThatRests) {
+TEST(ReportHabit, DoesNotMistakeADelayedThreadForASilentDevice) {
     ReportHabit habit;
     const auto report = hex("01 02 03");
     habit.take(report);
@@ -148,7 +148,7 @@ TEST(ReportHabit, DoesNotTakeAThreadThatWasKeptWaitingForADeviceThatRests) {
     EXPECT_FALSE(habit.reports_all_the_time()) << "no, it only rested";
 }
 
-TEST(DriversOfDevicesThatOnlySpeak, SayWhichSilenceIsNews) {
+TEST(DriversWithoutForce, KnowWhetherSilenceMeansNoChange) {
     VecPedalDriver pedal;
     EXPECT_TRUE(pedal.input(3600'000 * kMs).is_fresh);
     SpaceMouseDriver mouse;

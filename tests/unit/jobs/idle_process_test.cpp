@@ -30,7 +30,7 @@ TEST(IdleProcess, HearsOneLineAndThenTheEnd) {
     EXPECT_FALSE(succeeds("read line && [ \"$line\" = celadon ]", "iron"));
 }
 
-TEST(IdleProcess, GetsWhatNobodyElseWantsOfTheProcessorAndNoDescriptor) {
+TEST(IdleProcess, HasIdlePriorityAndNoDescriptors) {
     // It waits for a line, so that it does not check before the policy is set.
     constexpr const char* kPolicy =
         "read line; [ \"$(cut -d' ' -f41 /proc/self/stat)\" = 5 ]";  // SCHED_IDLE, proc(5)
@@ -41,7 +41,7 @@ TEST(IdleProcess, GetsWhatNobodyElseWantsOfTheProcessorAndNoDescriptor) {
     EXPECT_TRUE(succeeds("! [ -e /proc/$$/fd/3 ] && ! [ -e /proc/$$/fd/4 ] && ! [ -e /proc/$$/fd/5 ]"));
 }
 
-TEST(IdleProcess, BearsWhoNeverListens) {
+TEST(IdleProcess, ToleratesAProcessThatNeverReads) {
     auto process = IdleProcess::start({"/bin/true"});
     ASSERT_TRUE(process);
     ASSERT_TRUE(test::comes_true([&] { return !process->is_at_work(); }));

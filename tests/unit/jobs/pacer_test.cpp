@@ -219,7 +219,7 @@ TEST_F(AFramePacer, DoesNotBelieveADriverThatHasShownEverythingAtOnce) {
     EXPECT_NEAR(static_cast<double>(pacer.interval_ns().max()), 0.75e9 / 60.0, 10.0);
 }
 
-TEST(DisplayBeat, AsksAfterLongerAndLongerPausesWhomNothingWasHeardOf) {
+TEST(DisplayBeat, RetriesAfterLongerAndLongerPauses) {
     DisplayBeat beat;
     std::int64_t now_ns = 0;
     ASSERT_TRUE(beat.is_asked(now_ns));

@@ -41,7 +41,7 @@ TEST(Supervisor, EndsWithItsChildsOwnCode) {
     }
 }
 
-TEST(Supervisor, KnowsHowItsChildEndedWhereTheProgramWasStartedDeafToThat) {
+TEST(Supervisor, KnowsItsChildsStatusEvenIfSigchldWasIgnored) {
     ::signal(SIGCHLD, SIG_IGN);
     const Watched asked = watch([] { ::_exit(75); });
     ::signal(SIGCHLD, SIG_IGN);
@@ -141,7 +141,7 @@ TEST(Supervisor, HandsAnEndOnToItsChild) {
     ::close(ready[1]);
 }
 
-TEST(Supervisor, IsMissedByItsChild) {
+TEST(Supervisor, EndsItsChildByItsOwnDeath) {
     std::array<int, 2> ready{};
     std::array<int, 2> done{};
     ASSERT_EQ(::pipe(ready.data()), 0);

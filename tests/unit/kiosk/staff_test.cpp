@@ -25,7 +25,7 @@ Visitor at_the_panel() {
     return staff;
 }
 
-TEST(StaffPin, MakesWhoGuessesWaitLongerEachTime) {
+TEST(StaffPin, MakesEachWrongGuessWaitLonger) {
     Visitor thief = at_the_keypad();
     types(thief, 9);
     types(thief, 9);

@@ -10,7 +10,7 @@ struct Kiosk : testing::Test {
     Visitor visitor;
 };
 
-TEST_F(Kiosk, AttractsForEverWhileNobodyIsThere) {
+TEST_F(Kiosk, AttractsForEverWithoutAVisitor) {
     visitor.waits(3600.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
     EXPECT_TRUE(visitor.all.empty());
@@ -105,7 +105,7 @@ TEST_F(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
     EXPECT_FALSE(visitor.state.decorating.turns);
 }
 
-TEST_F(Kiosk, StartsFreeThrowingForWhoeverSimplyTouchesTheClay) {
+TEST_F(Kiosk, StartsFreeThrowingOnATouchOfTheClay) {
     visitor.does(Event::Kind::kClayTouched);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_FALSE(visitor.state.throwing.target.has_value());

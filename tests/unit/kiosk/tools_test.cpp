@@ -104,7 +104,7 @@ TEST(Tools, TheWheelShowsWhatIsHeldOrWithTheWireTheLesson) {
     EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
 }
 
-TEST(Tools, NobodyIsShownTheLessonWithAToolInTheHandOrTheTrayBefore) {
+TEST(Tools, TheLessonIsHiddenWithAToolInTheHandOrAnOpenTray) {
     for (const Event& event : {Event::pressed(Button::kTakeTool, 1), Event::pressed(Button::kTools)}) {
         Visitor visitor;
         visitor.starts_to_throw().does(event).waits(30.0);

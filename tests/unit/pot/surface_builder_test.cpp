@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCorners = 48;
 
-TEST(UnitCircle, IsTheCircleThatLibmKnows) {
+TEST(UnitCircle, AgreesWithLibm) {
     for (const int n : {4, 12, 48, 64, 96, 128}) {
         const std::vector<dvec2> circle = unit_circle(n);
         ASSERT_EQ(circle.size(), static_cast<std::size_t>(n));

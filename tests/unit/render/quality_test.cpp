@@ -180,7 +180,7 @@ TEST(QualityLadder, SettlesOnASlowGpuAndChangesNoMoreThanOnceInViewOfAVisitor) {
     }
 }
 
-TEST(QualityLadder, GoesUpOnAGpuOnlyWhileNobodyLooks) {
+TEST(QualityLadder, GoesUpOnAGpuOnlyWithoutAVisitor) {
     QualityLadder ladder(quality_range(DeviceClass::kIntegratedGpu, 1));
     EXPECT_EQ(run(ladder, 600.0, 3.0), 0) << "a visitor looks";
     EXPECT_TRUE(ladder.unseen());

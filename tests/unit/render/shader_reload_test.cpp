@@ -35,14 +35,14 @@ class EditedShaders : public testing::Test {
     std::unique_ptr<ShaderReload> reload_;
 };
 
-TEST_F(EditedShaders, AreLeftAloneWhileNobodyEdits) {
+TEST_F(EditedShaders, AreNotCompiledWithoutAnEdit) {
     const auto polled = reload_->poll();
     ASSERT_TRUE(polled);
     EXPECT_FALSE(*polled);
     EXPECT_TRUE(reload_->replacements().empty());
 }
 
-TEST_F(EditedShaders, AreCompiledAnewWhereTheyChanged) {
+TEST_F(EditedShaders, AreCompiledAgainWhenChanged) {
     edit("prop.frag", "vec4(encode(light), 1.0)", "vec4(encode(light * 2.0), 1.0)");
     const auto polled = reload_->poll();
     ASSERT_TRUE(polled) << polled.error().message;

@@ -146,7 +146,7 @@ TEST_F(ForcesOnStage, ShowsArrowsWhileTeachingAndNumbersAndPlotsToWhoAsks) {
     EXPECT_GT(vertices("throw-forces", &frame), panel_alone + 4U * 16U + 2U * 99U * 4U);
 }
 
-TEST_F(ForcesOnStage, ShowsNothingWhereNobodyThrows) {
+TEST_F(ForcesOnStage, ShowsNothingOutsideThrowing) {
     const ForceFrame frame = sample_frame(trace_);
     EXPECT_EQ(vertices("glaze-0", &frame), vertices("glaze-0", nullptr));
 }

@@ -209,7 +209,7 @@ TEST_F(Theatre, BringsTheCueAndTakesItAway) {
     EXPECT_GT(draw(1.9, -1, &cue).vertices().size(), with_arrow) << "and a thread to hands that lag";
 }
 
-TEST_F(Theatre, DrawsNoCueUnderAWarningAndNoneWhereNobodyThrows) {
+TEST_F(Theatre, DrawsNoCueUnderAWarningNorOutsideThrowing) {
     const Cue cue = belt();
     const Band band = cue.belt;
     stage_.take(composed("throw-0"), 0.0);

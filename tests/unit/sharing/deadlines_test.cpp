@@ -14,7 +14,7 @@ std::vector<int> cut_at(Deadlines& deadlines, double now_s, int gone = -1) {
     return cut;
 }
 
-TEST(Deadlines, CutOffWhoDoesNotSayWhatItWants) {
+TEST(Deadlines, CloseAConnectionWithoutARequest) {
     Deadlines deadlines({.head_s = 10.0, .answer_s = 20.0, .bytes_per_s = 1000.0});
     static_cast<void>(deadlines.add(3, 0.0));
     const auto other = deadlines.add(4, 5.0);
@@ -26,7 +26,7 @@ TEST(Deadlines, CutOffWhoDoesNotSayWhatItWants) {
     EXPECT_EQ(deadlines.size(), 1U);
 }
 
-TEST(Deadlines, CutOffWhoHasGoneBeforeItAsked) {
+TEST(Deadlines, CloseAConnectionGoneBeforeItsRequest) {
     Deadlines deadlines;
     static_cast<void>(deadlines.add(3, 0.0));
     const auto served = deadlines.add(4, 0.0);
@@ -49,7 +49,7 @@ TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
     EXPECT_EQ(cut_at(deadlines, 55.8), std::vector<int>{3});
 }
 
-TEST(Deadlines, HaveLessPatienceInACrowd) {
+TEST(Deadlines, AreShorterInACrowd) {
     Deadlines deadlines({.head_s = 10.0, .crowded_head_s = 1.0, .crowd = 3});
     static_cast<void>(deadlines.add(3, 0.0));
     const auto served = deadlines.add(4, 0.0);

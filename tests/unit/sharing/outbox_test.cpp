@@ -128,7 +128,7 @@ TEST_F(OutboxTest, TakesFilesFromTheDisk) {
     EXPECT_EQ(test::content_of(folder_ / "box" / code->text() / "pot.stl"), "triangles");
 }
 
-TEST_F(OutboxTest, LaysSomethingAtItsDoorSoThatNobodyListsIt) {
+TEST_F(OutboxTest, HasPagesAtItsTopThatPreventListing) {
     static_cast<void>(open_in(folder_ / "box"));
     EXPECT_NE(test::content_of(folder_ / "box/index.html").find("name=\"code\""), std::string::npos);
     EXPECT_NE(test::content_of(folder_ / "box/404.html").find("There is no pot here"), std::string::npos);

@@ -27,7 +27,7 @@ TEST(ShareLimits, GivesEachAddressItsShareAndNoMore) {
     EXPECT_EQ(granted, 10) << "a bucket is never fuller than full";
 }
 
-TEST(ShareLimits, CountsGuessesDearer) {
+TEST(ShareLimits, CountsAMissAsSeveralRequests) {
     ShareLimits limits(kRules);
     int guesses = 0;
     while (limits.allows(someone(1), 0.0)) {

@@ -77,7 +77,7 @@ TEST_F(ShareServerAtWork, AnswersAndForgets) {
     EXPECT_EQ(server_->connections(), 0U);
 }
 
-TEST_F(ShareServerAtWork, CutsOffWhoIsSilentSlowOrAway) {
+TEST_F(ShareServerAtWork, ClosesSilentSlowAndGoneConnections) {
     test::HttpClient silent(port_, 200);
     test::HttpClient slow(port_, 200);
     slow.say("GET /" + code_ + "/ HT");
@@ -121,7 +121,7 @@ TEST_F(ShareServerAtWork, CutsOffACrowdOfSilentOnesAfterASecond) {
     EXPECT_EQ(status_of(page()), 200);
 }
 
-TEST_F(ShareServerAtWork, TellsWhoGuessesCodesToWait) {
+TEST_F(ShareServerAtWork, TellsAGuessingClientToWait) {
     std::map<int, int> answers;
     for (int i = 0; i < 120; ++i)
         ++answers[status_of("GET /7777ZZZZ/ HTTP/1.1\r\nHost: pots\r\n\r\n", 2)];

@@ -67,7 +67,7 @@ TEST(Atlas, ReplacesAPaintingWhereItLies) {
     EXPECT_EQ(static_cast<float>(uploads.front().x), first->x);
 }
 
-TEST(Atlas, ForgetsWhatNobodyAsksFor) {
+TEST(Atlas, DropsUnusedPaintings) {
     Atlas atlas(256);
     const auto first = atlas.place(1, painting(50, 20));
     const auto second = atlas.place(2, painting(30, 20));

@@ -80,7 +80,7 @@ TEST_F(CameraOfARoom, ForgetsAViewThatIsNotWantedAnyMore) {
 }
 
 // The finished view is the one requested before.
-TEST_F(CameraOfARoom, WaitsAnewForAnotherFraming) {
+TEST_F(CameraOfARoom, WaitsAgainForAnotherFraming) {
     scene().look_at(View::kLookingIn);
     frame();
     scene().next_view_is_ready();

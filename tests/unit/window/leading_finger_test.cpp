@@ -41,7 +41,7 @@ TEST_F(AScreen, IsAPointerToOneFinger) {
     EXPECT_EQ(seen(), "at 50,60 down");
 }
 
-TEST_F(AScreen, LetsNobodyDisturbAFingerAtWork) {
+TEST_F(AScreen, IgnoresOtherFingersWhileOneMoves) {
     touch(Phase::kBegin, 1, 100, 100, 0);
     for (std::uint32_t step = 1; step <= 10; ++step)
         touch(Phase::kMove, 1, 100, 100 + 30.0 * step, 1000 * step);
@@ -54,7 +54,7 @@ TEST_F(AScreen, LetsNobodyDisturbAFingerAtWork) {
     EXPECT_EQ(seen(), "at 100,400 up");
 }
 
-TEST_F(AScreen, LetsAHandThatLiesStillKeepNobodyFromTheWheel) {
+TEST_F(AScreen, LetsANewFingerReplaceOneThatLiesStill) {
     touch(Phase::kBegin, 1, 3, 500, 0);
     for (std::uint32_t wander = 0; wander < 100; ++wander)
         touch(Phase::kMove, 1, 3.0 + wander % 5, 500, 100 * wander);
