@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How long the kiosk takes from its start to its first picture, and what memory it then holds.
+"""Measures the kiosk's time from start to the first picture, and its memory afterwards.
 
     tests/bench/start.py [--runs N] [--after SECONDS] [PROGRAM]
 
