@@ -112,7 +112,7 @@ TEST(AnOutput, HasAPlaceOfItsOwn) {
     const TemporaryFolder folder;
     expect_one_line(run_onggi({"throw", kPressAndHold, "--profile", "same.csv", "--forces", "./same.csv"},
                               {.folder = folder.path()}),
-                    2, "expected a file of its own for each output");
+                    2, "expected a separate file for each output");
     EXPECT_TRUE(folder.names().empty());
 }
 

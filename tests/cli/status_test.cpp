@@ -92,7 +92,7 @@ TEST_F(Status, SaysThatItMayNotLookAndMayAsOneOfTheGroup) {
     expect_one_line(run({"--json"}, as_one_of(kStranger)), 3, "kiosk.toml");
     EXPECT_EQ(run({"--json"}, as_one_of(kGroup)).exit_code, 0);
     ASSERT_EQ(::chmod(settings_.c_str(), 0644), 0);
-    expect_one_line(run({"--json"}, as_one_of(kStranger)), 3, "expected to look into it");
+    expect_one_line(run({"--json"}, as_one_of(kStranger)), 3, "expected permission to read it");
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
     const test::ProgramRun run = test::run_onggi({"devices"}, {.in_child = alone_on_the_network});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     for (const char* line :
-         {"good     device  simulated tool: mouse or touch, always there; the tool lags behind\n",
+         {"good     device  simulated tool: mouse or touch, always available; the tool lags behind\n",
           "good     device  /dev/hidraw5 256f:c635 3Dconnexion SpaceMouse Compact: SpaceMouse; moves the "
           "tool in "
           "radius and height; no force; button 1 starts and stops the wheel, a twist changes its speed\n",

@@ -87,7 +87,7 @@ TEST(DecoratedSession, SaysThatItsStrokesComeToSomethingElse) {
     const auto difference = find_difference(session.session, std::move(session.start), session.decoration);
     ASSERT_TRUE(difference);
     EXPECT_EQ(sentence_for(*difference),
-              "every tick is as recorded, but what its strokes come to is not what was recorded");
+              "every tick is as recorded, but its strokes give another texture than recorded");
 }
 
 TEST(DecoratedSession, IsRefusedWhereItsStrokesAreNone) {

@@ -43,9 +43,9 @@ logged '^onggi: crash: SIGSEGV from process [0-9]+ in thread onggi of onggi [0-9
 [ "$(grep -cE '^/.*\(.*\) ?\[0x[0-9a-f]+\]$' kiosk.log)" -ge 5 ] || fail "expected a backtrace"
 logged '^onggi: crash: the session that led there: /.*/gallery/state/visit-[12]\.onggi\.part$'
 logged '^onggi: the kiosk ended with exit code 1$'
-EXPECTED=1 says '"state": "fell"' '"it ended with an error, or died"'
+EXPECTED=1 says '"state": "fell"' '"it ended with an error or crashed"'
 grep -q '^onggi_up 0$' metrics/onggi.prom || fail "expected metrics that say it is down"
-logged '^onggi: crash: kept as gallery/faults/crash-1\.onggi, which onggi replay works out again$'
+logged '^onggi: crash: session kept as gallery/faults/crash-1\.onggi, for onggi replay$'
 "$onggi" replay gallery/faults/crash-1.onggi --validate || fail "expected the session of the crash to replay"
 
 # It restarts and reports the crash.
@@ -53,7 +53,7 @@ open_kiosk
 wait_for "window" xdotool search --name '^Onggi'
 on_screen attract
 EXPECTED=0 says '"falls": 1' '"starts": 2' 'faults/crash-1.onggi'
-logged 'interrupted visit: .* wait to be picked up'
+logged 'interrupted visit: .* can be resumed'
 end_kiosk
 wait "$kiosk" || fail "the kiosk ended with exit code $?"
 EXPECTED=1 says '"state": "ended"' '"it was ended"'

@@ -195,7 +195,7 @@ begin_visit() {
 pick_it_up() {
     wait_for "window" xdotool search --name '^Onggi'
     on_screen attract
-    wait_for "interrupted visit" grep -q 'interrupted visit: .* wait to be picked up' kiosk.log
+    wait_for "interrupted visit" grep -q 'interrupted visit: .* can be resumed' kiosk.log
     click $((width / 2)) $((height / 2))
     on_screen resume
     press resume resume-go; on_screen throw

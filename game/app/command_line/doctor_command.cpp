@@ -44,7 +44,7 @@ Finding probe_quality(const vk::DeviceDescription& device, BackendChoice backend
                              render::quality_name(range.highest))};
     if (!by_processor && device.is_cpu()) {
         finding.verdict = Verdict::kNote;
-        finding.cost = "some frames a second, for who looks at what a GPU would draw";
+        finding.cost = "a few frames a second, for testing what a GPU would draw";
         finding.remedy = "leave the backend at auto, or install a driver for a GPU";
     }
     return finding;
@@ -143,16 +143,16 @@ int examine(const std::string& settings, const std::optional<BackendChoice>& bac
 void add_doctor_command(CLI::App& program, int& exit_status) {
     CLI::App* command = program.add_subcommand(
         "doctor",
-        "Say what this machine has and lacks: Vulkan, real time, cores, devices, disk, display, settings");
+        "Report what this machine has and lacks: Vulkan, real time, cores, devices, disk, display, settings");
     const auto strict = std::make_shared<bool>(false);
     command->add_flag("--strict", *strict, "exit with 3 where something is lacking");
     const auto settings = std::make_shared<std::string>();
     command
         ->add_option("--config", *settings,
-                     fmt::format("settings of a kiosk to look at; without it those in {}", kUsualSettings))
+                     fmt::format("settings of a kiosk to check; default: those in {}", kUsualSettings))
         ->type_name("FILE.toml");
     const auto backend = std::make_shared<std::optional<BackendChoice>>();
-    add_backend_option(*command, *backend, "who is to draw, whatever the settings say");
+    add_backend_option(*command, *backend, "the backend to check, overriding the settings");
     command->callback(
         [strict, settings, backend, &exit_status] { exit_status = examine(*settings, *backend, *strict); });
 }

@@ -149,7 +149,7 @@ void add_film_command(CLI::App& program, int& exit_status) {
     command->add_option("--still", options->still, "a picture from late in the making, beside the film")
         ->type_name("F.webp");
     command->add_flag("--quick", options->quick,
-                      "drawn as the live window is: a quarter of the time, and a little coarser");
+                      "draw like the live window: a quarter of the time, slightly coarser");
     command->callback([options, &exit_status] { exit_status = exit_code(make_film(*options)); });
 }
 

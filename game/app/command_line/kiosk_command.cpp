@@ -95,7 +95,7 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     pacer.emplace(clock, frame_rate_hz);
     std::optional<double> beat_s;
     while (!visit.quits() && !end_was_asked()) {
-        if (job.finished()) return failed("the hand's loop has ended by itself");
+        if (job.finished()) return failed("the haptic loop has ended by itself");
         // Another display, or another device that draws.
         if (const double rate_hz = beside.view.frame_rate_hz(); rate_hz != frame_rate_hz)
             pacer.emplace(clock, frame_rate_hz = rate_hz);
@@ -123,9 +123,10 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
         pacer->finish();
     }
     service.ends();
-    if (end_was_asked()) remark("ending, as asked");
+    if (end_was_asked()) remark("ending, as requested");
     if (visit.quits())
-        remark(visit.restarts() ? "beginning anew, as asked at the panel" : "ending, as asked at the window");
+        remark(visit.restarts() ? "restarting, as requested at the panel"
+                                : "ending, as requested at the window");
     return {};
 }
 
@@ -276,8 +277,7 @@ int begin_anew() {
 }  // namespace
 
 void add_kiosk_command(CLI::App& program, int& exit_status) {
-    CLI::App* command =
-        program.add_subcommand("kiosk", "the experience, in a window; also what onggi does alone");
+    CLI::App* command = program.add_subcommand("kiosk", "the kiosk, in a window; the default command");
     const auto options = std::make_shared<KioskOptions>();
     add_size_option(*command, options->size);
     command->add_flag("--full-screen", options->full_screen, "fill the primary screen");
@@ -286,16 +286,15 @@ void add_kiosk_command(CLI::App& program, int& exit_status) {
         ->type_name("FILE.toml");
     command
         ->add_option("--or-config", options->other_config,
-                     "settings to go on with where those of --config cannot be read")
+                     "fallback settings if those of --config cannot be read")
         ->type_name("FILE.toml");
-    command->add_option("--gallery", options->gallery, "where pots are saved, whatever the settings say")
+    command->add_option("--gallery", options->gallery, "the folder for pots, overriding the settings")
         ->type_name("FOLDER");
     add_device_option(*command, options->device);
     add_volume_option(*command, options->volume);
-    add_backend_option(
-        *command, options->backend,
-        "who draws, whatever the settings say: the GPU, the processor, or the GPU where there is "
-        "one (auto); where there is none, gpu is drawn by software, for who looks at it");
+    add_backend_option(*command, options->backend,
+                       "what draws, overriding the settings: the GPU, the processor, or the GPU if there is "
+                       "one (auto); without a GPU, gpu is drawn by software, for testing");
     command->footer(
         "In the window: V shows what the hand feels, F or F11 fills the screen, arrow keys move the hand, "
         "Tab "

@@ -193,23 +193,20 @@ void add_live_command(CLI::App& program, int& exit_status) {
     add_clay_options(*command, options->input);
     add_rate_option(*command, options->input);
     add_number_option(*command, "--seconds", options->seconds, kLeastSeconds, kMostSeconds,
-                      "how long; past its end the gesture starts again on a fresh lump");
+                      "duration; past its end the gesture starts again on a fresh lump");
     command->add_option("--wait", options->wait, "how the haptic loop waits: hybrid or sleep (hybrid)")
         ->type_name("hybrid|sleep")
         ->check(CLI::Validator(check_wait, ""));
     add_device_option(*command, options->device, "gesture");
-    add_number_option(*command, "--volume", options->volume, 0.0, 1.0,
-                      "how loud the wheel is heard, 0 to 1 (0)");
+    add_number_option(*command, "--volume", options->volume, 0.0, 1.0, "volume of the wheel, 0 to 1 (0)");
     command->add_flag("--headless", options->headless, "draw without a window or display");
     command->add_flag("--forces", options->forces,
-                      "begin with the forces shown; in the window, V shows and hides them");
+                      "start with the forces shown; in the window, V shows and hides them");
     add_size_option(*command, options->size);
-    add_backend_option(
-        *command, options->backend,
-        "who draws: the GPU, the processor, or the GPU where there is one (auto); where there is "
-        "none, gpu is drawn by software, for who looks at it");
-    command->add_option("--stats", options->stats, "what ticks and frames cost, and what was missed")
-        ->type_name("F.json");
+    add_backend_option(*command, options->backend,
+                       "what draws: the GPU, the processor, or the GPU if there is one (auto); without a "
+                       "GPU, gpu is drawn by software, for testing");
+    command->add_option("--stats", options->stats, "statistics of ticks and frames")->type_name("F.json");
     command->callback([options, &exit_status] {
         if (options->device != "gesture") {
             if (const auto end = supervise_devices()) {

@@ -106,22 +106,22 @@ Result<void> serve(const ShareOptions& options) {
 
 void add_share_command(CLI::App& program, int& exit_status) {
     CLI::App* command = program.add_subcommand(
-        "share", "Serve the pots that visitors take home by phone, in a process that can do nothing else");
+        "share", "Serve the pots that visitors take home by phone, in a confined process");
     const auto options = std::make_shared<ShareOptions>();
     auto* config = command->add_option("--config", options->config,
-                                       "settings of the kiosk, whose [sharing] says all the rest");
+                                       "settings of the kiosk; [sharing] has all the others");
     config->type_name("FILE.toml");
-    auto* outbox = command->add_option("--outbox", options->outbox, "the folder with a page a pot");
+    auto* outbox = command->add_option("--outbox", options->outbox, "the folder with a page for each pot");
     outbox->type_name("FOLDER")->excludes(config);
     auto* listen = command->add_option("--listen", options->listen,
                                        "address or interface of this machine, such as 10.0.0.5 or wlan0");
     listen->type_name("ADDRESS")->excludes(config)->needs(outbox);
     outbox->needs(listen);
-    command->add_option("--port", options->port, "0: any that is free")
+    command->add_option("--port", options->port, "0: any free port")
         ->check(CLI::Range(0, 65535))
         ->excludes(config)
         ->capture_default_str();
-    command->add_option("--counter", options->counter, "a pipe that is told how often pages are opened")
+    command->add_option("--counter", options->counter, "a pipe that counts opened pages")
         ->type_name("PIPE")
         ->excludes(config);
     command->callback([options, &exit_status] {

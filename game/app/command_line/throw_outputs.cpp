@@ -240,7 +240,7 @@ Result<void> check_outputs(const ThrowOutputs& outputs) {
         const auto absolute = std::filesystem::absolute(*place, ignored);
         if (!places.insert(std::filesystem::weakly_canonical(absolute, ignored)).second) {
             return bad_input(
-                fmt::format("{}: expected a file of its own for each output, found two for this one",
+                fmt::format("{}: expected a separate file for each output, found two outputs for this one",
                             shown_path(*place)));
         }
     }

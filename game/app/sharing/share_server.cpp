@@ -385,7 +385,7 @@ class MicroServer final : public ShareServer {
 
 Result<std::unique_ptr<ShareServer>> ShareServer::start(const ShareServerOptions& options) {
     auto server = std::make_unique<MicroServer>(options);
-    if (!server->start()) return system_lacks("sharing: the server cannot begin: not enough memory or files");
+    if (!server->start()) return system_lacks("sharing: the server cannot start: not enough memory or files");
     return std::unique_ptr<ShareServer>(std::move(server));
 }
 

@@ -98,7 +98,7 @@ void tell_who_called_nothing(const void* context) {
     const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
     if (registers[REG_RIP] != 0) return;
     void* const caller = *reinterpret_cast<void* const*>(registers[REG_RSP]);
-    (Line(for_journal) << "a function that is not there was called from").write();
+    (Line(for_journal) << "a missing function was called from").write();
     ::backtrace_symbols_fd(&caller, 1, STDERR_FILENO);
 #else
     static_cast<void>(context);
@@ -129,7 +129,7 @@ void report_and_die(int signal, siginfo_t* info, void* context) {
     const char* session = shared == nullptr ? "" : shared->leads[shared->whole % 2].session.data();
     Line led(for_journal);
     if (*session == '\0') {
-        led << "nobody was throwing";
+        led << "no visit was in progress";
     } else {
         led << "the session that led there: " << session;
     }

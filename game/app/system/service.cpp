@@ -91,7 +91,7 @@ Error start_anew() {
     std::fflush(nullptr);
     if (!words.empty()) ::execv(place.c_str(), arguments.data());
     return system_lacks(
-        fmt::format("restart: expected to start {} anew, found {}", place, std::strerror(errno)));
+        fmt::format("restart: expected to start {} again, found {}", place, std::strerror(errno)));
 }
 
 }  // namespace onggi::app

@@ -85,7 +85,7 @@ TEST(SystemProbes, SayWhatTheKiosksSettingsWantOrThatThereAreNone) {
     ASSERT_EQ(none.size(), 1U);
     EXPECT_EQ(none[0].verdict, Verdict::kNote);
     EXPECT_EQ(none[0].found,
-              "none in " + file + ": the kiosk begins with its own unless --config names others");
+              "none in " + file + ": the kiosk starts with defaults unless --config names settings");
 
     const std::string gallery = folder / "not/yet/there";
     test::put_file(file,
@@ -149,7 +149,7 @@ TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
     ::close(*listening);
     const Finding silent = sharing("listen = \"127.0.0.1\"\nport = " + port + "\n").back();
     EXPECT_EQ(silent.verdict, Verdict::kLacking);
-    EXPECT_EQ(silent.found, "nobody answers at 127.0.0.1, port " + port);
+    EXPECT_EQ(silent.found, "no answer from 127.0.0.1, port " + port);
     EXPECT_NE(silent.remedy.find("onggi-share"), std::string::npos);
     const Finding unknown = sharing("listen = \"wlan77\"\n").back();
     EXPECT_EQ(unknown.verdict, Verdict::kLacking);

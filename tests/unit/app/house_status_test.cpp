@@ -108,10 +108,10 @@ TEST_F(AHouse, SeesAPictureOrALoopThatStandsStill) {
     KioskPulse stuck = busy_pulse();
     stuck.haptic_ticks += 1;
     ASSERT_TRUE(heart.beat(stuck, kNoonS + 60));
-    EXPECT_EQ(look(kNoonS + 61).why_not_well, std::vector<std::string>{"the picture stands still"});
+    EXPECT_EQ(look(kNoonS + 61).why_not_well, std::vector<std::string>{"the picture hangs"});
     stuck.frames_shown += 1;
     ASSERT_TRUE(heart.beat(stuck, kNoonS + 120));
-    EXPECT_EQ(look(kNoonS + 121).why_not_well, std::vector<std::string>{"the hand's loop stands still"});
+    EXPECT_EQ(look(kNoonS + 121).why_not_well, std::vector<std::string>{"the haptic loop hangs"});
 }
 
 TEST_F(AHouse, TellsOfFaultsSafeModeAndAFullDisk) {

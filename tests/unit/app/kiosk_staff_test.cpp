@@ -78,7 +78,7 @@ TEST(StaffLines, SayWhatIsNotKnownInsteadOfANumber) {
     health.celsius.reset();
     health.device_ms = 0.0;
     health.achieved_hz = 0.0;
-    EXPECT_EQ(line(health, "Temperature").value, "this machine tells none");
+    EXPECT_EQ(line(health, "Temperature").value, "not measured here");
     EXPECT_EQ(line(health, "Temperature").status, "");
     EXPECT_EQ(line(health, "Drawing").value, "this device does not measure it");
     EXPECT_EQ(line(health, "Force tick").value, "4000 Hz asked for");
@@ -160,7 +160,7 @@ TEST(ForceTestWords, TellWhatTheHandDid) {
     EXPECT_TRUE(says({.stage = Stage::kDone, .given_n = {0.6, 0.0, 0.6}, .moved_mm = {3.0, 0.0, 3.0}},
                      "less than asked for"));
     EXPECT_TRUE(says({.stage = Stage::kNobody}, "feels no hand"));
-    EXPECT_TRUE(says({.stage = Stage::kBroken}, "broken off"));
+    EXPECT_TRUE(says({.stage = Stage::kBroken}, "interrupted"));
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
             continue;
         }
         if (!session->damage().empty()) {
-            remarks.push_back(fmt::format("interrupted visit: whole for {:.1f} s, then damaged: {}",
+            remarks.push_back(fmt::format("interrupted visit: intact for {:.1f} s, then damaged: {}",
                                           static_cast<double>(session->tick_count()) / parameters.rate_hz(),
                                           session->damage()));
         }
@@ -117,8 +117,8 @@ Result<bool> InterruptedSession::work(int ticks) {
         const bool ends_block = played_ == block.first_tick + block.tick_count;
         if (ends_block && history_.state().hash() != block.state_hash) {
             return failed(
-                fmt::format("interrupted visit: dropped: at tick {} expected the clay it tells of, "
-                            "found another, as of another version of the program",
+                fmt::format("interrupted visit: dropped: at tick {} expected the recorded clay, found "
+                            "another, as from another version of the program",
                             played_));
         }
     }

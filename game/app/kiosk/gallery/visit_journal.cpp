@@ -17,7 +17,7 @@ constexpr std::size_t kMostTicksACall = 40'000;
 Result<void> VisitJournal::give_up(const Error& error) {
     drop();
     gave_up_ = true;
-    return Error{error.kind, "journal: this visit could not be picked up again: " + error.message};
+    return Error{error.kind, "journal: this visit cannot be resumed: " + error.message};
 }
 
 Result<void> VisitJournal::begin(const haptic::History& history) {

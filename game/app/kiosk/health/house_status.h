@@ -22,7 +22,7 @@ struct HouseStatus {
         kRunning,
         kSilent,  // no heartbeat for kSilentAfterS: it hangs, or was cut off with its supervisor
         kEnded,   // as was meant
-        kFell,    // it ended with an error, or died and its supervisor said so
+        kFell,    // it ended with an error or crashed and its supervisor said so
     };
     struct Fault {
         std::filesystem::path session;  // which `onggi replay` works out again

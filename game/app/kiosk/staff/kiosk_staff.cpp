@@ -66,16 +66,16 @@ std::vector<StaffLine> health_lines(const Health& health) {
                      ok_unless(health.frame_ms > kSlowFrameMs)});
     lines.push_back(drawing_line(health));
     if (health.is_safe_mode) {
-        lines.push_back({"Safe mode", fmt::format("after {} falls", health.falls), "warn"});
+        lines.push_back({"Safe mode", fmt::format("after {} crashes", health.falls), "warn"});
     } else {
-        lines.push_back({"Falls before", std::to_string(health.falls), ok_unless(health.falls > 0)});
+        lines.push_back({"Crashes before", std::to_string(health.falls), ok_unless(health.falls > 0)});
     }
     lines.push_back({"Picture", std::string(health.quality), ""});
     if (health.celsius) {
         lines.push_back({"Temperature", fmt::format("{:.0f} \u00b0C", *health.celsius),
                          ok_unless(*health.celsius > kHotCelsius)});
     } else {
-        lines.push_back({"Temperature", "this machine tells none", ""});
+        lines.push_back({"Temperature", "not measured here", ""});
     }
     lines.push_back({"Disk free",
                      fmt::format("{:.0f} MB, {:.0f} needed", health.free_mb, health.least_free_mb),
@@ -178,7 +178,7 @@ std::string force_test_words(const haptic::ForceTestReport& report, std::string_
         case Stage::kNobody:
             return fmt::format("Force: {} feels no hand; hold it and test again", hand);
         case Stage::kBroken:
-            return "Force: the test was broken off";
+            return "Force: the test was interrupted";
         case Stage::kDone:
             break;
     }
