@@ -26,7 +26,7 @@ using Verdict = Finding::Verdict;
 
 using render::BackendChoice;
 
-// Who draws on this device, where the quality ladder begins and how far it may go from there.
+// The backend for this device, the first quality level and the range of levels.
 Finding probe_quality(const vk::DeviceDescription& device, BackendChoice backend) {
     const int threads = draw_threads(jobs::choose_haptic_core());
     const render::DeviceClass counts_as = render::class_for(backend, wheel::device_class(device));
@@ -50,14 +50,14 @@ Finding probe_quality(const vk::DeviceDescription& device, BackendChoice backend
     return finding;
 }
 
-// The one asked for, else that of the settings, else auto.
+// The backend of the option, else of the settings, else auto.
 BackendChoice backend_of(const std::optional<BackendChoice>& asked, const std::string& settings) {
     if (asked) return *asked;
     std::error_code error;
     const std::string file = settings.empty() ? kUsualSettings : settings;
     if (!std::filesystem::exists(file, error)) return BackendChoice::kAuto;
     const auto read = load_settings(file);
-    if (!read) return BackendChoice::kAuto;  // what is wrong with them is a finding of its own
+    if (!read) return BackendChoice::kAuto;  // errors in the settings are a separate finding
     return render::backend_choice_named(read->config.screen.backend).value_or(BackendChoice::kAuto);
 }
 

@@ -85,7 +85,7 @@ std::string words_of(const kiosk::Config& config) {
     return words;
 }
 
-// A gallery that is not there yet will be made in the folder that is.
+// A missing gallery will be created in its first existing parent folder.
 Finding probe_gallery(const kiosk::Config& config) {
     std::error_code error;
     fs::path there = fs::absolute(config.gallery.folder, error);
@@ -103,7 +103,7 @@ Finding probe_gallery(const kiosk::Config& config) {
     return finding;
 }
 
-// Of sharing that is on: can pots be put, and does somebody serve them.
+// With sharing on: whether the outbox can be written and whether the server answers.
 std::vector<Finding> probe_sharing(const kiosk::Config& config) {
     const auto& sharing = config.sharing;
     std::vector<Finding> findings;
@@ -142,7 +142,7 @@ std::vector<Finding> probe_sharing(const kiosk::Config& config) {
     return findings;
 }
 
-// The room that the settings name, opened as the kiosk opens it.
+// Opens the room of the settings as the kiosk does.
 Finding probe_room(const std::string& room) {
     constexpr int kWidthPx = 1280;
     constexpr int kHeightPx = 720;
@@ -197,7 +197,7 @@ Finding probe_stop_keys(const std::string& folder) {
 Finding finding_for(const haptics::HidDeviceInfo& device) {
     Finding finding{.subject = "device", .found = name_of(device)};
     if (device.kind == haptics::HidKind::kUnknown) {
-        finding.verdict = Verdict::kNote;  // most are keyboards and mice, which reach the window without us
+        finding.verdict = Verdict::kNote;  // mostly keyboards and mice, which the window system handles
         finding.found += ": " + device.refusal;
     } else if (device.refusal.empty()) {
         finding.found += fmt::format(": {}; {}", haptics::hid::words_for(device.kind), device.can);
@@ -218,7 +218,7 @@ Finding probe_inverse(const haptics::haply::InverseOptions& options) {
                                      "axes and pushes back in all of them once the device is plugged in",
                                      options.host, options.port)};
     }
-    // Few have one: no lack.
+    // Few machines have one, so this is not a lack.
     return {
         .subject = "device",
         .verdict = Verdict::kNote,

@@ -43,39 +43,39 @@ struct KioskOptions {
     bool full_screen = false;
     std::string device = "auto";
     std::string config;
-    std::string other_config;  // for when it cannot be read
+    std::string other_config;  // for the message when it cannot be read
     std::string gallery;
     std::optional<double> volume = {};
     std::optional<render::BackendChoice> backend = {};
 };
 
-// Any number that is another one after a tick.
+// A number that changes with every tick.
 std::uint64_t tick_mark(const haptic::Snapshot& snapshot) {
     return snapshot.tick + (snapshot.run << 40U) + (snapshot.states_put << 32U);
 }
 
-// Where the recordings of spoken lines are; empty: there are none.
+// The folder of the spoken lines' recordings, or empty without recordings.
 std::filesystem::path spoken_folder(const kiosk::Config& config) {
     if (!config.sound.spoken_folder.empty()) return config.sound.spoken_folder;
     const auto found = files::find_asset("spoken");
     return found ? *found : std::filesystem::path();
 }
 
-// Of the command line, else of the settings, which have been looked at.
+// The backend of the command line, else of the settings, which have been validated.
 render::BackendChoice backend_of(const KioskOptions& options, const kiosk::Config& config) {
     return options.backend.value_or(
         render::backend_choice_named(config.screen.backend).value_or(render::BackendChoice::kAuto));
 }
 
-// What is looked after beside the visits.
+// The kiosk's services other than the visits.
 struct Beside {
     KioskKeeper& keeper;
     KioskSound& sound;
     wheel::LiveView& view;
-    PictureNote* picture;  // null: what this run comes to is no rule
+    PictureNote* picture;  // null: this run's quality is not remembered
 };
 
-// With what the command line says in place of the file's words.
+// The file's settings, overridden by the command line.
 Result<KioskSettings> settings_of(const KioskOptions& options) {
     auto settings = load_settings(options.config, options.other_config);
     if (settings && !options.gallery.empty()) settings->config.gallery.folder = options.gallery;
@@ -96,13 +96,13 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     std::optional<double> beat_s;
     while (!visit.quits() && !end_was_asked()) {
         if (job.finished()) return failed("the haptic loop has ended by itself");
-        // Another display, or another device that draws.
+        // The display or the drawing device has changed.
         if (const double rate_hz = beside.view.frame_rate_hz(); rate_hz != frame_rate_hz)
             pacer.emplace(clock, frame_rate_hz = rate_hz);
         pacer->wait(beside.view.wait_for_display());
         const double now_s = jobs::MonotonicClock::now_s();
         if (auto shown = visit.frame(now_s); !shown) return shown;
-        // The first as soon as there is a picture to tell of.
+        // The first beat follows the first picture.
         if (beat_s ? now_s - *beat_s >= KioskHeartbeat::kEveryS : visit.frames_shown() > 0) {
             beat_s = now_s;
             keeper.beat(visit.pulse());
@@ -130,7 +130,6 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     return {};
 }
 
-// How a kiosk ended.
 enum class KioskEnd { kDone, kStartAnew };
 
 Result<std::unique_ptr<wheel::LiveView>> open_view(const KioskOptions& options, const KioskSettings& settings,
@@ -168,7 +167,7 @@ haptic::HapticJobOptions kiosk_job_options(const jobs::RealTimeRequest& real_tim
     haptic::HapticJobOptions options;
     options.spares_the_core = true;
     options.real_time = real_time;
-    // The keeper may be that late, on a machine that does other things, and no visitor's pot is lost.
+    // The keeper may be this late on a busy machine without losing a visitor's pot.
     constexpr double kMostLateS = 16.0;
     options.record_capacity = static_cast<std::size_t>(kMostLateS * rate_hz);
     return options;
@@ -250,25 +249,25 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     keeper.stop();
     job.stop();
     tell_last_answers(keeper);
-    // An error that ends the program counts as a fall: it is started again, and may fail again.
+    // An error that ends the program counts as a crash, because it may repeat after the restart.
     if (played) played = starts.end_now();
     if (!played) return played.error();
     return end;
 }
 
-// The kiosk under this supervisor is no more: for the journal, and for who asks for its status from afar.
+// Reports that the supervised kiosk has ended, to the journal and in the status file for remote monitoring.
 void tell_of_end(const KioskOptions& options, int code) {
-    // What could not begin has said so, in one line.
+    // A kiosk that could not start has already printed its error.
     if (code == 0 || code == exit_code(ErrorKind::kFailed))
         remark(fmt::format("the kiosk ended with exit code {}", code));
     if (code == 0) return;
     const auto settings = settings_of(options);
-    if (!settings) return;  // the kiosk has said why
+    if (!settings) return;  // the kiosk has printed the error
     if (auto told = KioskHeartbeat(settings->config).end_after_fall(wall_clock_s()); !told)
         warn(told.error().message);
 }
 
-// With the exit code to end with, where the process cannot be taken over.
+// Restarts the program in this process; returns the exit code if that fails.
 int begin_anew() {
     static_cast<void>(report(start_anew()));
     return kRestartExitCode;

@@ -33,7 +33,7 @@
 namespace onggi::app {
 namespace {
 
-// The forces over a picture that plays by itself. A key turns them on and off.
+// The force view over a replayed picture. A key turns it on and off.
 class LiveForces {
   public:
     explicit LiveForces(bool shown) : shown_(shown) {}
@@ -44,8 +44,8 @@ class LiveForces {
     Result<void> start() { return composer_.start(); }
     void turn_over() { shown_ = !shown_; }
 
-    // Once a frame, shown or not, so that the plots have a past. Null: nothing to lay over the picture. Good
-    // until the next call.
+    // Call it once a frame, shown or not, so that the plots have a history. Returns null when there is no
+    // overlay. Valid until the next call.
     [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
                                               const wheel::LiveView& view, double now_s);
 
@@ -80,7 +80,7 @@ const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const 
     return &overlay_;
 }
 
-// A live run may last as long as a museum's season, but no shorter than a frame.
+// A live run may last months, but not less than a frame.
 constexpr double kLeastSeconds = 0.02;
 constexpr double kMostSeconds = 1e7;
 
@@ -97,7 +97,7 @@ struct LiveOptions {
     std::optional<std::string> stats;
 };
 
-// A live run is watched, not played: besides closing, two keys mean something.
+// A live run has no input but closing and two keys.
 Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const haptic::Snapshot& snapshot) {
     bool stops = false;
     for (const window::Event& event : view.poll_events()) {

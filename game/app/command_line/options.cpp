@@ -19,7 +19,8 @@
 namespace onggi::app {
 namespace {
 
-// The sides a picture may have: below, nothing can be seen; above, no device promises a target.
+// Limits of a picture's sides: smaller ones show nothing; larger render targets are not guaranteed by Vulkan
+// devices.
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 8192;
 
@@ -38,7 +39,7 @@ CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::option
     return command.add_option(name, read, description)->type_name(kind);
 }
 
-// An option whose value is one of a few words, each of which stands for one of T.
+// An option whose value is one of several words, each for one value of T.
 template <typename T, typename Slot>
 CLI::Option* add_choice(CLI::App& command, const std::string& name,
                         const std::vector<std::pair<std::string, T>>& words, Slot& slot,

@@ -33,10 +33,10 @@ struct ShareOptions {
     std::string counter;
 };
 
-constexpr int kRoundMs = 500;  // between two looks at whether to end
+constexpr int kRoundMs = 500;  // between two checks of the end signal
 
-// Takes the process over with nothing but what the server needs, so that no word of the settings - the
-// staff's PIN is one - is left in the memory that answers strangers. Returns only where it cannot.
+// Executes the program again with only the arguments that the server needs, so that no setting, such as the
+// staff's PIN, stays in the memory of a process that answers strangers. Returns only on failure.
 Result<void> start_over(const kiosk::Config& config) {
     std::vector<std::string> words{"onggi",    "share",
                                    "--outbox", config.sharing.outbox,
@@ -64,10 +64,10 @@ Result<void> read_settings_and_start_over(const std::string& file) {
     return start_over(*config);
 }
 
-// Where it runs beside a wheel, the picture goes first and the haptic thread's core is not touched. A refusal
-// costs phones nothing, so nobody is told.
+// Beside a wheel, the picture has priority and the haptic thread's core stays free. A refusal does no harm to
+// phones, so it is not reported.
 void stand_back() {
-    constexpr int kPicturesFirst = 10;  // as nice(1): a tenth of a core's claim
+    constexpr int kPicturesFirst = 10;  // nice level, about a tenth of the normal share of a core
     static_cast<void>(::setpriority(PRIO_PROCESS, 0, kPicturesFirst));
     static_cast<void>(jobs::keep_this_thread_off_haptic_core(jobs::choose_haptic_core()));
 }
@@ -79,7 +79,7 @@ Result<void> serve(const ShareOptions& options) {
             fmt::format("{}: expected a folder of shared pots, found none", shown_path(options.outbox)));
     }
     stand_back();
-    std::signal(SIGPIPE, SIG_IGN);  // a phone that goes away in the middle is nothing special
+    std::signal(SIGPIPE, SIG_IGN);  // a phone may disconnect during an answer
     note_end_signals();
     const auto listening = listen_at(options.listen, options.port);
     if (!listening) return listening.error();

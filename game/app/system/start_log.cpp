@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "onggi starts 1";
 constexpr std::size_t kMostLogBytes = 4096;
-constexpr std::size_t kMostFalls = 20;  // more tell nothing new
+constexpr std::size_t kMostFalls = 20;  // more have no effect
 
 constexpr const char* kFile = "starts";
 
