@@ -140,10 +140,10 @@ void add_film_command(CLI::App& program, int& exit_status) {
                       fmt::format("how long it is ({})", FilmDesc{}.seconds));
     add_firing_option(*command, options->finished, "the stage at which the finished pot is shown");
     command
-        ->add_option(
-            "--glaze", options->glaze,
-            "the finished pot's glaze; - reads its name, and the path of the decoration's file, from standard "
-            "input once the making is drawn")
+        ->add_option("--glaze", options->glaze,
+                     "the finished pot's glaze; - reads its name, and the path of the decoration's file, "
+                     "from standard "
+                     "input once the making is drawn")
         ->type_name("NAME");
     command->add_option("--still", options->still, "a picture from late in the making, beside the film")
         ->type_name("F.webp");

@@ -22,7 +22,7 @@ constexpr const char* kSpillFile = "left-over.onggi";
 
 struct Found {
     fs::path file;
-    std::optional<record::Session> session;  // none: it could not be read, or is not for this kiosk
+    std::optional<record::Session> session;  // empty: unreadable, or not for this kiosk
     [[nodiscard]] std::uint64_t ticks() const { return session ? session->tick_count() : 0; }
 };
 
@@ -58,7 +58,7 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
                                                              const haptic::HapticState& start,
                                                              const haptic::HapticParameters& parameters,
                                                              std::vector<std::string>& remarks) {
-    // More than one where it happened while one was being written anew: the longest has all of it.
+    // There are several files if the program died while it rewrote the journal: the longest is complete.
     Found longest;
     const FolderListing listing = list_folder(folder);
     if (!listing.is_whole()) remarks.push_back("interrupted visit: " + listing_trouble(folder, listing));
@@ -66,7 +66,7 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
     const std::vector<std::byte> start_bytes = haptic::start_state_bytes(start, parameters);
     std::error_code ignored;
     for (const fs::path& file : others) {
-        // Killed before its first block: nothing had been thrown.
+        // The program was killed before the first block, so nothing had been thrown.
         if (fs::file_size(file, ignored) < start_bytes.size()) continue;
         auto session = session_of(file, start, parameters, start_bytes);
         if (!session) {
@@ -81,7 +81,7 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
         if (session->tick_count() > longest.ticks()) longest = {file, std::move(*session)};
     }
     std::erase(others, longest.file);
-    // Where the disk does not tell of all, nothing leaves: what is hidden now may be the longest.
+    // Deletes nothing if the listing is incomplete: an unlisted file may be the longest.
     if (listing.is_whole()) {
         for (const fs::path& file : others)
             fs::remove(file, ignored);

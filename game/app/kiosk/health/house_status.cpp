@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostNoteBytes = std::size_t{64} << 10U;
 
-// Who may not look is told so, instead of finding an empty gallery.
+// Returns an error if the folder may not be read, instead of counting an empty gallery.
 Result<void> may_look_into(const fs::path& folder) {
     if (::access(folder.c_str(), R_OK | X_OK) == 0 || errno == ENOENT) return {};
     const int error = errno;
@@ -63,7 +63,7 @@ HouseStatus::State state_of(const HouseStatus& status, const StartLog& starts) {
     using State = HouseStatus::State;
     if (!status.note) return State::kNeverStarted;
     if (status.note->has_ended) return starts.is_running ? State::kFell : State::kEnded;
-    // A clock that was put back makes heartbeats of the future, until the next one.
+    // After the clock was set back, the last heartbeat is in the future until the next one.
     const bool is_fresh =
         status.age_s() <= HouseStatus::kSilentAfterS && status.age_s() >= -HouseStatus::kSilentAfterS;
     return is_fresh ? State::kRunning : State::kSilent;
@@ -360,7 +360,7 @@ Result<void> KioskHeartbeat::end_after_fall(std::int64_t now_s) {
 }
 
 Result<void> KioskHeartbeat::write(std::int64_t now_s) {
-    std::error_code ignored;  // write_file_atomically() says what is wrong
+    std::error_code ignored;  // write_file_atomically() reports the error
     const std::filesystem::path file = status_file(config_.gallery.folder);
     std::filesystem::create_directories(file.parent_path(), ignored);
     Result<void> written = files::write_file_atomically(file, text_of(*note_));
@@ -376,7 +376,8 @@ Result<void> KioskHeartbeat::write_metrics(std::int64_t now_s) {
     if (!status) return status.error();
     const std::filesystem::path file = std::filesystem::path(config_.staff.metrics_folder) / kMetricsFile;
     if (auto written = files::write_file_atomically(file, metrics_of(*status)); !written) return written;
-    // Its reader is another user, whatever the umask; what is there already keeps what it has.
+    // Another user reads the file, so it must be readable whatever the umask; an existing file keeps its
+    // permissions.
     using std::filesystem::perms;
     std::error_code error;
     std::filesystem::permissions(

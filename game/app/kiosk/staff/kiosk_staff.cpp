@@ -12,9 +12,9 @@ namespace {
 
 using screens::StaffLine;
 
-constexpr double kSlowFrameMs = 25.0;  // every second refresh of a 60 Hz panel is missed now and then
-constexpr double kEnoughRate = 0.98;   // of what was asked for
-constexpr double kHotCelsius = 85.0;   // where processors begin to slow down
+constexpr double kSlowFrameMs = 25.0;  // a 60 Hz panel sometimes misses every second refresh
+constexpr double kEnoughRate = 0.98;   // of the requested rate
+constexpr double kHotCelsius = 85.0;   // processors throttle from here
 
 std::string ok_unless(bool bad) {
     return bad ? "warn" : "ok";
@@ -38,14 +38,14 @@ StaffLine rate_line(const Health& health) {
 
 StaffLine drawing_line(const Health& health) {
     if (health.device_ms <= 0.0) return {"Drawing", "this device does not measure it", ""};
-    // Where the processor is the device, most is drawn before the device has anything to do.
+    // On a software device most of the drawing happens before the device's work.
     double whole_ms = health.device_ms;
     for (const render::PassTime& part : health.parts)
         whole_ms += part.is_on_host ? part.ms : 0.0;
     std::string words = fmt::format("{:.1f} ms", whole_ms);
     const char* between = ": ";
     for (const render::PassTime& part : health.parts) {
-        constexpr double kLeastMs = 0.05;  // what is less is not worth a word
+        constexpr double kLeastMs = 0.05;  // shorter passes are not listed
         if (part.ms < kLeastMs) continue;
         words += fmt::format("{}{} {:.1f}", between, part.name, part.ms);
         between = ", ";
@@ -124,7 +124,7 @@ std::vector<StaffLine> gallery_lines(const Health& health) {
     }
     if (health.pots_beyond > 0)
         lines.push_back({"Older pots", fmt::format("{} more on the disk", health.pots_beyond), ""});
-    // What has left the gallery by other hands is still on phones.
+    // Pots deleted from the gallery outside the program are still shared.
     const char* const where = health.pots_beyond > 0 ? ", not among these" : ", no longer here";
     for (const auto& [number, note] : health.shared) {
         if (!until.contains(number)) continue;
