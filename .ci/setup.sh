@@ -1,5 +1,5 @@
-# What ./run and ./check share: packages, builds, words on the terminal. Sourced, never run.
-# Works for a person who is not root: sudo is asked for only to install.
+# Shared by ./run and ./check: packages, builds, terminal output. Sourced, never run. Works without root: sudo
+# is used only to install.
 
 say() { printf '%s\n' "onggi: $*"; }
 die() { local status=$1; shift; printf '%s\n' "onggi: $*" >&2; exit "$status"; }
@@ -20,7 +20,7 @@ packages_for_swiftshader=(chromium)
 packages_for_slicer=(prusa-slicer)
 packages_for_packages=(mmdebstrap lintian desktop-file-utils appstream man-db groff)
 
-# install_packages NAME...: installs those that are missing, after saying so.
+# install_packages NAME...: installs missing packages, after a message.
 install_packages() {
     command -v dpkg-query >/dev/null || { say "not a Debian system: taking it that these are installed: $*"; return; }
     local missing=() name
@@ -40,14 +40,14 @@ install_packages() {
         die 3 "these Debian packages could not be installed: ${missing[*]}"
 }
 
-# build PRESET [CMAKE OPTION ...] [-- TARGET ...]: configures and builds; all targets where none is named.
+# build PRESET [CMAKE OPTION ...] [-- TARGET ...]: configures and builds; by default all targets.
 build() {
     local preset=$1 options=() targets=()
     shift
     while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1"); shift; done
     [ $# -gt 0 ] && shift
     [ $# -gt 0 ] && targets=(--target "$@")
-    # The same source in two checkouts compiles once.
+    # Lets ccache share objects between checkouts.
     export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
     mkdir -p build
     say "building $preset"

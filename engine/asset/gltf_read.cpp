@@ -1,4 +1,4 @@
-// See gltf_read.h. tinygltf parses; what it does not check is checked here. Any thread.
+// See gltf_read.h. tinygltf parses; this file checks what tinygltf does not. Any thread.
 #include "engine/asset/gltf_read.h"
 
 #include <fmt/format.h>
@@ -27,9 +27,9 @@ class Model;
 namespace onggi::asset {
 namespace {
 
-// Numbers out of a glTF accessor, checked against the bytes that are really there. Any thread.
+// Reads numbers from a glTF accessor, with bounds checks. Any thread.
 
-// Where an accessor's elements lie, all of them inside their buffer.
+// The location of an accessor's elements, all inside their buffer.
 struct Elements {
     const unsigned char* first = nullptr;
     std::size_t count = 0;
@@ -39,7 +39,7 @@ struct Elements {
     bool normalised = false;
 };
 
-// An index as tinygltf keeps it: -1 and anything else beyond the list means none.
+// tinygltf's indices: -1, or any index beyond the list, means none.
 template <typename T>
 const T* at(const std::vector<T>& list, int index) {
     return index >= 0 && static_cast<std::size_t>(index) < list.size()
@@ -70,7 +70,7 @@ Result<Elements> locate(const tinygltf::Model& model, int index, std::size_t max
     }
     constexpr std::size_t kMaxStride = 252;  // glTF 2.0, section 5.11
     if (stride < element_bytes || stride > kMaxStride) return wrong("elements that do not overlap");
-    // Offsets are 64 bits wide and may be anything: compare by subtracting from what is there.
+    // Offsets have 64 bits and any value: subtract from the size instead of adding, to avoid overflow.
     const std::size_t held = buffer->data.size();
     const std::size_t needed = (accessor->count - 1) * stride + element_bytes;
     const bool is_inside = view->byteOffset <= held && view->byteLength <= held - view->byteOffset &&
@@ -98,7 +98,7 @@ float scaled(const unsigned char* from, bool normalised) {
     return normalised ? value / static_cast<float>(std::numeric_limits<T>::max()) : value;
 }
 
-// How many numbers an element has; 0 where there is no such accessor.
+// Returns the numbers per element; 0 if there is no such accessor.
 int accessor_width(const tinygltf::Model& model, int accessor) {
     const tinygltf::Accessor* found = at(model.accessors, accessor);
     return found == nullptr
@@ -106,8 +106,8 @@ int accessor_width(const tinygltf::Model& model, int accessor) {
                : std::max(0, tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(found->type)));
 }
 
-// Elements of `accessor`, each `width` numbers (1 to 4), one after another. Integers are taken as they are,
-// or as 0 to 1 where the accessor is normalised. Error texts have no file name yet.
+// Reads the elements of `accessor`, each of `width` numbers (1 to 4), into one list. Integers are kept, or
+// scaled to 0 to 1 if the accessor is normalised. Errors have no file name yet.
 Result<std::vector<float>> read_floats(const tinygltf::Model& model, int accessor, int width,
                                        std::size_t max_count) {
     const auto located = locate(model, accessor, max_count);
@@ -171,13 +171,13 @@ Result<std::vector<std::uint32_t>> read_indices(const tinygltf::Model& model, in
     return indices;
 }
 
-constexpr std::size_t kGlbHeaderBytes = 20;  // of the file and of its first chunk
+constexpr std::size_t kGlbHeaderBytes = 20;  // headers of the file and of its first chunk
 
 std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
     return little_endian::get<std::uint32_t>(bytes.data() + offset);
 }
 
-// The library walks JSON by recursion: brackets that open deeper than any glTF needs must not reach it.
+// The library parses JSON recursively: deeper nesting than any glTF needs must not reach it.
 bool nests_deeper_than(std::span<const std::byte> json, int max_depth) {
     int depth = 0;
     bool in_string = false;
@@ -218,7 +218,7 @@ Result<void> check_header(std::span<const std::byte> bytes, const GltfLimits& li
     return {};
 }
 
-// Nothing outside the file is opened, whatever its URIs say.
+// Opens no other file, whatever the URIs say.
 tinygltf::FsCallbacks no_files() {
     tinygltf::FsCallbacks callbacks{};
     callbacks.FileExists = [](const std::string&, void*) { return false; };
@@ -233,7 +233,7 @@ tinygltf::FsCallbacks no_files() {
     return callbacks;
 }
 
-// One line out of the library's several.
+// The first line of the library's message.
 std::string first_line(std::string text) {
     const std::size_t start = text.find_first_not_of(" \n\r\t");
     if (start == std::string::npos) return "no reason given";
@@ -263,7 +263,7 @@ Result<tinygltf::Model> parse(std::span<const std::byte> bytes) {
     return bad_input(fmt::format("expected a glTF scene, found a damaged one: {}", first_line(problem)));
 }
 
-// Materials as glTF 2.0, section 3.9.2, gives them, brought within their range.
+// Reads a material (glTF 2.0, section 3.9.2), with values clamped to their ranges.
 Material material_of(const tinygltf::Material& from) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     const auto fraction = [](double value) {
@@ -278,7 +278,7 @@ Material material_of(const tinygltf::Material& from) {
     return material;
 }
 
-// The node's own place; glTF 2.0, section 5.25: a matrix, or translation, rotation and scale.
+// The node's local transform (glTF 2.0, section 5.25): a matrix, or translation, rotation and scale.
 dmat4 place_of(const tinygltf::Node& node) {
     dmat4 place(1.0);
     if (node.matrix.size() == 16) {
@@ -297,7 +297,7 @@ dmat4 place_of(const tinygltf::Node& node) {
     return place;
 }
 
-// Faces weighed by their area, at the vertices that share them.
+// Computes vertex normals, weighted by the area of the adjacent faces.
 void make_normals(Mesh& mesh) {
     std::vector<dvec3> sums(mesh.positions_m.size(), dvec3(0.0));
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -315,8 +315,8 @@ void make_normals(Mesh& mesh) {
 }
 
 void place_mesh(Mesh& mesh, const dmat4& place) {
-    // Normals keep upright under uneven scales by the inverse transpose; a flat node has none, and keeps
-    // them.
+    // Normals transform by the inverse transpose; a singular matrix has no inverse, and then they are
+    // unchanged.
     const dmat3 linear(place);
     const double volume = glm::determinant(linear);
     const dmat3 turn = volume != 0.0 ? glm::transpose(glm::inverse(linear)) : dmat3(1.0);
@@ -374,7 +374,7 @@ class Gathering {
         if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size()) {
             return bad_input(fmt::format("node {}: expected one, found none", index));
         }
-        // A node that is its own ancestor ends here too.
+        // This also ends a cycle of nodes.
         if (depth >= limits_.max_depth || ++visited_ > limits_.max_nodes) {
             return bad_input(fmt::format("expected at most {} nodes, {} deep, found more", limits_.max_nodes,
                                          limits_.max_depth));
@@ -443,7 +443,7 @@ class Gathering {
             make_normals(part.mesh);
         }
         if (auto read = read_colours(primitive, vertices, part.colours); !read) return read;
-        // Before they are placed: an index that points nowhere must not be followed.
+        // Check before transforming: an index out of range must not be followed.
         if (auto good = check_mesh(part.mesh); !good) return good;
         place_mesh(part.mesh, place);
         if (auto good = check_mesh(part.mesh); !good) return good;
@@ -453,7 +453,7 @@ class Gathering {
         return {};
     }
 
-    // Nothing where the primitive has no such attribute.
+    // Empty if the primitive has no such attribute.
     Result<std::optional<std::vector<float>>> attribute(const tinygltf::Primitive& primitive,
                                                         const char* name, int width) const {
         const auto found = primitive.attributes.find(name);

@@ -30,7 +30,7 @@ Result<void> synced(const fs::path& folder) {
     return {};
 }
 
-// A file beside, which an AtomicFile names for the moment before it is renamed: ".onggi-PROCESS-N.part".
+// Whether the name is that of a dead process's temporary AtomicFile, ".onggi-PROCESS-N.part".
 bool is_of_a_dead_process(std::string_view name) {
     constexpr std::string_view kPrefix = ".onggi-";
     if (!name.starts_with(kPrefix)) return false;
@@ -81,7 +81,7 @@ Result<void> take_away_folder(const fs::path& folder) {
     fs::path part = folder;
     part += ".part";
     std::error_code error;
-    fs::remove_all(part, error);  // what a killed program left
+    fs::remove_all(part, error);  // left by a killed program
     fs::rename(folder, part, error);
     if (error == std::errc::no_such_file_or_directory)
         return bad_input(fmt::format("{}: expected a folder, found none", shown_path(folder.string())));

@@ -1,5 +1,4 @@
-// Inside engine/files only: how errno and file types become the one line a user reads, and the sync of a folder. Any
-// thread.
+// Inside engine/files only: turns errno and file types into the one line that a user reads, and syncs folders. Any thread.
 #pragma once
 
 #include <sys/stat.h>
@@ -28,7 +27,7 @@ inline std::string_view kind_of_file(mode_t mode) {
     return "something else";
 }
 
-// Who can mend what the system refused: names are the user's, space and rights are the machine's.
+// Who can fix the error: a wrong name is bad input, missing space or rights are what the system lacks.
 inline ErrorKind kind_of_errno(int error_number) {
     switch (error_number) {
         case ENOENT:

@@ -1,5 +1,5 @@
-// By a connection to the server of its own: GLFW passes over events that it does not know. XI 2.2 protocol:
-// https://www.x.org/releases/X11R7.7/doc/inputproto/XI2proto.txt
+// Uses a connection to the server of its own, because GLFW drops events that it does not know. XI 2.2
+// protocol: https://www.x.org/releases/X11R7.7/doc/inputproto/XI2proto.txt
 #include "engine/window/touch_screen.h"
 
 #include <xcb/xcb.h>
@@ -41,9 +41,9 @@ void LeadingFinger::follow(const Touch& touch, std::vector<Event>& events) {
 
 void LeadingFinger::begin(const Touch& touch, std::vector<Event>& events) {
     if (finger_) {
-        constexpr std::uint32_t kRestMs = 3000;  // longer than who throws lies still
+        constexpr std::uint32_t kRestMs = 3000;  // longer than a throwing finger stays still
         if (touch.time_ms - still_.time_ms < kRestMs) return;
-        // Away from where it lies, so that nothing is pressed there.
+        // Move the pointer away before the release, so that nothing is pressed there.
         events.push_back(PointerEvent{-1.0, -1.0});
         events.push_back(ButtonEvent{MouseButton::kLeft, false});
     }
@@ -54,7 +54,7 @@ void LeadingFinger::begin(const Touch& touch, std::vector<Event>& events) {
 }
 
 void LeadingFinger::move(const Touch& touch, std::vector<Event>& events) {
-    constexpr double kStillPx = 12.0;  // a palm's place wanders by some pixels
+    constexpr double kStillPx = 12.0;  // a resting palm's position drifts by some pixels
     if (std::hypot(touch.x_px - still_.x_px, touch.y_px - still_.y_px) > kStillPx) still_ = touch;
     events.push_back(PointerEvent{touch.x_px, touch.y_px});
 }
@@ -67,7 +67,7 @@ struct Freed {
 template <typename T>
 using Answer = std::unique_ptr<T, Freed>;
 
-// 16 bits before the point, 16 after it.
+// Fixed point: 16 integer bits, 16 fractional bits.
 double number(xcb_input_fp1616_t fixed) {
     return static_cast<double>(fixed) / 65536.0;
 }
@@ -108,7 +108,7 @@ std::vector<Touch> TouchScreen::poll() {
     while (const Answer<xcb_generic_event_t> event{xcb_poll_for_event(server_)}) {
         const auto* generic = reinterpret_cast<const xcb_ge_generic_event_t*>(event.get());
         if (generic->response_type != XCB_GE_GENERIC || generic->extension != xinput_) continue;
-        // One form for all three.
+        // The three event types have the same layout.
         const auto* touch = reinterpret_cast<const xcb_input_touch_begin_event_t*>(event.get());
         Touch::Phase phase{};
         switch (generic->event_type) {

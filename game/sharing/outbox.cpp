@@ -84,7 +84,7 @@ Result<Outbox> Outbox::open(OutboxOptions options) {
 
 Result<ShareCode> Outbox::put(const SharedPot& pot, const ShareTime& time) {
     if (time.expires_s <= time.now_s)
-        return bad_input("the shared pot: expected a time to come for it to go, found one that is over");
+        return bad_input("the shared pot: expected an expiry time in the future, found one in the past");
     static_cast<void>(expire(time.now_s));  // one that cannot be removed is no reason to refuse another
     for (int tries = 0; tries < 8; ++tries) {
         const auto code = ShareCode::by_chance();
@@ -103,7 +103,7 @@ Result<ShareCode> Outbox::put(const SharedPot& pot, const ShareTime& time) {
         }
         return *code;
     }
-    return failed("the shared pot: every code that came up was taken");
+    return failed("the shared pot: found no unused code");
 }
 
 Result<bool> Outbox::renew(const ShareCode& code, const SharedPot& pot, const ShareTime& time) {

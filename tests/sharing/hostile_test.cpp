@@ -1,4 +1,4 @@
-// Clients that mean no good: each gets a refusal or silence, and an honest phone beside them its pot.
+// Hostile clients get a refusal or no answer, while an honest phone still gets its pot.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -26,8 +26,8 @@ long resident_kb(int process) {
     return 0;
 }
 
-// It is still there, and itself. All come from one address here, so a crowd that has just gone may be in the
-// way for a moment: a phone asks again.
+// Checks that the server still answers. All clients have one address here, so a crowd that has just left may
+// block it for a moment: the phone asks again.
 void expect_honest(ServedOutbox& served, const std::string& code) {
     HttpAnswer page;
     comes_true([&] { return (page = get(served.port(), "/" + code + "/pot.3mf")).status == 200; });
@@ -120,7 +120,7 @@ TEST_F(HostileClients, SendAnyBytes) {
         EXPECT_EQ(client.rest().find("HTTP/1.1 2"), std::string::npos);
     }
     ASSERT_TRUE(served_.server().at_work()) << served_.server().printed();
-    ::usleep(1'500'000);  // the misses were dear
+    ::usleep(1'500'000);  // misses cost many tokens
     expect_honest(served_, code_);
 }
 
@@ -131,7 +131,7 @@ TEST_F(HostileClients, ThatAreSlowOrSilentHoldNothing) {
         silent.emplace_back(served_.port(), 100);
     HttpClient slow(served_.port(), 100);
     slow.say("GET /" + code_ + "/ HTTP/1.1\r\n");
-    // A letter every quarter second, for as long as the server bears it.
+    // One letter every quarter second, until the server closes the connection.
     EXPECT_TRUE(comes_true([&] {
         bool closed = false;
         slow.say("X");
@@ -154,7 +154,8 @@ TEST_F(HostileClients, ThatAreSlowOrSilentHoldNothing) {
 
 TEST_F(HostileClients, ThatAskTooOftenAreToldToWait) {
     std::map<int, int> answers;
-    // All asked before the first is heard, so that the server's clock sees them at once on any machine.
+    // All requests are sent before the server reads the first, so that they count as simultaneous on any
+    // machine.
     served_.server().signal(SIGSTOP);
     std::vector<HttpClient> crowd;
     for (int i = 0; i < 120; ++i) {
@@ -172,8 +173,8 @@ TEST_F(HostileClients, ThatAskTooOftenAreToldToWait) {
     expect_honest(served_, code_);
 }
 
-// Each from an address of its own, so that no limit of an address holds them: more than the server takes. How
-// soon they make room, share_server_test.cpp says by a clock of its own.
+// Each from an address of its own, so that no limit of an address holds them: more than the server takes.
+// share_server_test.cpp tests how soon they are closed, on a virtual clock.
 TEST_F(HostileClients, ThatAreManyAndSilentMakeRoomForAnHonestOne) {
     std::vector<HttpClient> crowd;
     for (std::uint32_t i = 0; i < 700; ++i)
@@ -181,8 +182,8 @@ TEST_F(HostileClients, ThatAreManyAndSilentMakeRoomForAnHonestOne) {
     expect_honest(served_, code_);
 }
 
-// As many as an address may have, all with a head that does not end, and again as soon as one is closed.
-TEST_F(HostileClients, ThatHoldAllOfAnAddressDoNotShutOutThePhonesBehindIt) {
+// The most connections of one address, each with a header that never ends, opened again when one is closed.
+TEST_F(HostileClients, WithManyOpenHeadersDoNotShutOutOthersOfTheirAddress) {
     std::vector<HttpClient> open_heads;
     const auto hold = [&] {
         std::erase_if(open_heads, [](HttpClient& client) {
@@ -203,8 +204,8 @@ TEST_F(HostileClients, ThatHoldAllOfAnAddressDoNotShutOutThePhonesBehindIt) {
     EXPECT_GE(served, 17);
 }
 
-// More than one address may have, and all that they ever say lies there when the server looks: a part of a
-// request, and that they are gone.
+// More connections than one address may have. When the server looks, each has sent part of a request and
+// closed.
 TEST_F(HostileClients, ThatLeaveBeforeTheyAreHeardAreNotInTheWay) {
     expect_honest(served_, code_);
     served_.server().signal(SIGSTOP);

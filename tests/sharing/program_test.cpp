@@ -1,4 +1,4 @@
-// `onggi share` as a program: what it refuses, what it can reach, how it ends.
+// `onggi share` as a program: refusals, access to files, and its end.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -100,7 +100,7 @@ TEST(ShareProgram, ReadsTheSettingsAndForgetsThem) {
     RunningOnggi server({"share", "--config", (folder / "kiosk.toml").string()});
     ASSERT_EQ(port_said_by(server), port.number());
     ASSERT_EQ(get(port.number(), "/").status, 200) << server.printed();
-    // No page of its memory that it could write has a word of them.
+    // No writable page of its memory contains them.
     const std::string process = "/proc/" + std::to_string(server.process());
     std::ifstream maps(process + "/maps");
     std::ifstream memory(process + "/mem", std::ios::binary);

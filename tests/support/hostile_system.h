@@ -1,5 +1,4 @@
-// Ways to make the system refuse what a program asks for, by its own means: permissions, full disks, limits.
-// They work for root and for everybody else.
+// Makes the system refuse operations: permissions, full disks, limits. Works for root and for other users.
 #pragma once
 
 #include <linux/capability.h>
@@ -52,13 +51,13 @@ class WithoutRootRights {
     __user_cap_data_struct before_[2] = {};
 };
 
-// For a child about to run another program: permissions will bind that program, whoever it belongs to.
+// In a child before exec: permissions will bind the program even for root.
 inline void bind_permissions_across_exec() {
     ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0);
     ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH, 0, 0, 0);
 }
 
-// What `work` returns, worked out in a child process, which may change its world as it likes.
+// Runs `work` in a child process, which may change its environment freely. Returns its result.
 inline std::string in_child(const std::function<std::string()>& work) {
     int ends[2] = {-1, -1};
     if (::pipe(ends) != 0) return "no pipe";
@@ -130,7 +129,7 @@ inline void limit_file_size(std::size_t bytes) {
     ::setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-// In a child: a disk of `bytes` at `folder`, or, where nobody may mount one, files of at most so many bytes.
+// In a child: a disk of `bytes` at `folder`, or, if mounting is refused, a file size limit of `bytes`.
 inline void fill_disk_after(const std::string& folder, std::size_t bytes) {
     if (!mount_small_disk(folder, bytes)) limit_file_size(bytes);
 }

@@ -17,7 +17,7 @@ constexpr Usage kMultiAxisController = usage(0x01, 0x08);
 constexpr std::uint16_t kForcePage = 0x0f;
 
 constexpr std::array<KnownDevice, 32> kKnownDevices{{
-    // Logitech sold the early ones; its vendor number alone means any mouse.
+    // Logitech sold the early ones; its vendor number alone could be any mouse.
     {0x046d, 0xc603, HidKind::kSpaceMouse},  // SpaceMouse Plus XT
     {0x046d, 0xc605, HidKind::kSpaceMouse},  // CadMan
     {0x046d, 0xc606, HidKind::kSpaceMouse},  // SpaceMouse Classic
@@ -74,7 +74,7 @@ bool has_collection(const ReportDescriptor& descriptor, Usage wanted) {
                        [&](const Collection& collection) { return collection.usage == wanted; });
 }
 
-// A model newer than the list, by what it says it is.
+// A model newer than the list, recognised by its descriptor.
 bool is_newer_space_mouse(const HidDeviceInfo& device, const ReportDescriptor& descriptor) {
     const bool is_another =
         std::find(kNotSpaceMice.begin(), kNotSpaceMice.end(), device.product_id) != kNotSpaceMice.end();

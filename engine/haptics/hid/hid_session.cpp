@@ -28,8 +28,8 @@ void HidSession::search(std::int64_t now_ns) {
         publish(HidStatus{.state = HidStatus::State::kFailed, .message = devices.error().message});
         return;
     }
-    // The first that does what it should. Where none does, the first that failed is told of; where none may
-    // be used, why not.
+    // Uses the first device that starts. If none does, reports the first failure; if none may be used, the
+    // reason.
     HidStatus told;
     rivals_.clear();
     for (const HidDeviceInfo& device : *devices) {
@@ -100,7 +100,7 @@ HidStatus HidSession::begin(const HidDeviceInfo& device) {
 bool HidSession::hear(std::int64_t now_ns) {
     std::array<std::uint8_t, kMaxReportBytes> report{};
     int wait_ms = kReadWaitMs;
-    // All that is queued, oldest first: after a stall the last one counts, and only that is published.
+    // Reads the whole queue, oldest first: after a stall only the state after the last report is published.
     for (int count = 0; count < kMostReportsARound; ++count) {
         const auto size = port_->read(report, wait_ms);
         if (!size) return false;
@@ -131,7 +131,7 @@ void HidSession::exchange(std::int64_t now_ns) {
     ForceOrder order = gate_.passed(link_.force.latest(), now_ns);
     const std::uint32_t silences = link_.silences.load(std::memory_order_relaxed);
     if (!input.is_live || std::exchange(silences_, silences) != silences) {
-        // The work's force belongs to a place where the hand may no longer be, or to a time that has passed.
+        // The force was computed for a position or a time that is no longer current.
         gate_.restart();
         order.force_n = dvec2(0.0);
         order.tangential_n = 0.0;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "onggi starts 1";
 constexpr std::size_t kMostLogBytes = 4096;
-constexpr std::size_t kMostFalls = 20;  // more tell nothing new
+constexpr std::size_t kMostFalls = 20;  // more have no effect
 
 constexpr const char* kFile = "starts";
 constexpr const char* kLockFile = "lock";
@@ -105,17 +105,17 @@ StartReport StartKeeper::begin_now(std::vector<std::string>& remarks) {
         if (log) {
             log_ = std::move(*log);
         } else {
-            remarks.push_back(log.error().message + "; the falls before are forgotten");
+            remarks.push_back(log.error().message + "; earlier crashes are forgotten");
         }
     }
     const StartReport report = begin(log_, wall_clock_s());
     if (const auto written = write(); !written) remarks.push_back(written.error().message);
     if (report.is_safe_mode) {
-        remarks.push_back(
-            fmt::format("safe mode: the program fell {} times within {} minutes; no devices, a plain picture",
-                        report.falls, kFallsCountForS / 60));
+        remarks.push_back(fmt::format(
+            "safe mode: the program crashed {} times within {} minutes; no devices, a plain picture",
+            report.falls, kFallsCountForS / 60));
     } else if (report.falls > 0) {
-        remarks.push_back(fmt::format("started again after a fall, the {}. within {} minutes", report.falls,
+        remarks.push_back(fmt::format("restarted after a crash, number {} within {} minutes", report.falls,
                                       kFallsCountForS / 60));
     }
     return report;

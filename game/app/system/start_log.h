@@ -1,5 +1,5 @@
-// How often the program fell lately, so that one that keeps falling starts in safe mode: a calm picture
-// rather than none. One small file, written whole or not at all. Main thread.
+// Counts the program's recent crashes, so that a program that keeps crashing starts in safe mode, with a
+// simple picture. One small file, written atomically. Main thread.
 #pragma once
 
 #include <sys/types.h>
@@ -17,35 +17,35 @@ namespace onggi::app {
 
 // Times are seconds of the machine's clock since 1970, which may jump.
 struct StartLog {
-    bool is_running = false;  // a start without an end: still at work, or it fell
+    bool is_running = false;  // a start without an end: still running, or crashed
     std::vector<std::int64_t> falls_s;
 
     friend bool operator==(const StartLog&, const StartLog&) = default;
 };
 
-// What the staff is told, and what the start follows.
+// The report for the staff, which also decides on safe mode.
 struct StartReport {
     bool is_safe_mode = false;
-    int falls = 0;  // within the time that counts
+    int falls = 0;  // recent ones
 };
 
 constexpr int kFallsToSafeMode = 3;
 constexpr std::int64_t kFallsCountForS = 600;
 
-// A start at that time: whether the one before fell is noted, what is too old is forgotten. Pure.
+// Records a start at that time: counts a crash of the previous run, and drops old crashes. Pure.
 [[nodiscard]] StartReport begin(StartLog& log, std::int64_t now_s);
-// An end that was meant. Pure.
+// Records an intended end. Pure.
 inline void end(StartLog& log) {
     log.is_running = false;
 }
 
-// The file's text and back. Bad input: the line, what was expected, what was found.
+// Writes and parses the file's text. Bad input: the line, what was expected, what was found.
 [[nodiscard]] std::string text_of(const StartLog& log);
 [[nodiscard]] Result<StartLog> read_start_log(std::string_view text, const std::string& file);
 
-// The log in FOLDER/starts, as somebody else may read it. Errors: of the file, and as above.
+// Reads the log in FOLDER/starts for another program. Errors: the file's, and as above.
 [[nodiscard]] Result<StartLog> read_start_log_of(const std::filesystem::path& folder);
-// Falls that still count at that time. Pure.
+// The number of recent crashes at that time. Pure.
 [[nodiscard]] int falls_lately(StartLog log, std::int64_t now_s);
 
 // The log in FOLDER/starts, from one start to its end.
@@ -53,7 +53,7 @@ class StartKeeper {
   public:
     explicit StartKeeper(const std::filesystem::path& folder);
 
-    // `remarks` gets a line where the file is broken or cannot be written; then the start counts as the
+    // Appends a line to `remarks` if the file is damaged or cannot be written; the start then counts as the
     // first.
     StartReport begin_now(std::vector<std::string>& remarks);
     Result<void> end_now();

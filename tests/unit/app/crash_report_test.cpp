@@ -1,4 +1,4 @@
-// What a crash says of itself. Of one in the middle of a visit: tests/window/looked_after.sh.
+// The report of a crash. For a crash in the middle of a visit: tests/window/looked_after.sh.
 #include "game/app/system/crash_report.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(CrashReport, SaysWhoCalledAFunctionThatIsNotThere) {
     // The caller is named by its program, and by its own name where that is exported.
     EXPECT_EXIT(crash(), testing::KilledBySignal(SIGSEGV),
                 "crash: SIGSEGV at 0x0 in thread .*\n"
-                ".*crash: a function that is not there was called from\n"
+                ".*crash: a missing function was called from\n"
                 ".*unit_app\\(.*\\) ?\\[0x[0-9a-f]+\\]\n");
 }
 

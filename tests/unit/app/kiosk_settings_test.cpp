@@ -1,4 +1,4 @@
-// What a kiosk starts with: its file, its words, the volume that the staff has set.
+// A kiosk's settings at start: its file, the command line, the volume set by the staff.
 #include "game/app/kiosk/kiosk_settings.h"
 
 #include <gtest/gtest.h>
@@ -101,7 +101,7 @@ TEST_F(KioskSettingsTest, TakeWhatTheStaffSetOnlyWhereTheyAreToldTo) {
     settings.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
     settings.config.sound.remember_staff = true;
     take_kept_house(settings);
-    EXPECT_EQ(settings.config.sound.volume, 3) << "nobody has set one yet";
+    EXPECT_EQ(settings.config.sound.volume, 3) << "none has been set yet";
     ASSERT_TRUE(keep_house(statistics_folder(settings.config), {1, "ar"}));
     settings.config.sound.remember_staff = false;
     take_kept_house(settings);

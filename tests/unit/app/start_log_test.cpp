@@ -1,5 +1,5 @@
-// Three falls in ten minutes and the program starts in safe mode, at times of a virtual clock; and a file
-// that is broken costs a line, no more.
+// After three crashes in ten minutes the program starts in safe mode, on a virtual clock; a damaged file only
+// costs one line.
 #include "game/app/system/start_log.h"
 
 #include <gtest/gtest.h>
@@ -107,7 +107,7 @@ TEST(StartKeeper, CountsFallsFromOneStartToTheNext) {
     }
 }
 
-TEST(StartKeeper, MeetsABrokenFileWithOneLineAndBeginsAnew) {
+TEST(StartKeeper, ReportsABrokenFileInOneLineAndStartsFresh) {
     const test::TemporaryFolder folder;
     std::filesystem::create_directories(folder / "state");
     test::put_file(folder / "state/starts", "onggi starts 1\nrunning\nfell yesterday\n");

@@ -59,7 +59,7 @@ TEST_F(WallTest, HoldsEachPotOnceAndTheNewestOfThem) {
     EXPECT_TRUE(later.pots().empty());
 }
 
-TEST_F(WallTest, GoesOnUnderAClockThatIsNotSetYet) {
+TEST_F(WallTest, ContinuesUntilTheClockIsSet) {
     ASSERT_TRUE(wall_.put(pot_called("before the power cut"), kToday));
     WallOfTheDay started(file_);
     ASSERT_TRUE(started.open("1970-01-01"));
@@ -71,7 +71,7 @@ TEST_F(WallTest, GoesOnUnderAClockThatIsNotSetYet) {
     EXPECT_TRUE(started.pots().empty());
 }
 
-TEST_F(WallTest, BeginsAnewWhereItsFileIsDamaged) {
+TEST_F(WallTest, StartsEmptyIfItsFileIsDamaged) {
     std::filesystem::create_directories(file_.parent_path());
     for (const char* damage :
          {"", "{", "[]", R"({"day":"2026-11-24"})", R"({"day":"2026-11-24","pots":[{}]})",

@@ -80,7 +80,7 @@ TEST_F(DualSenseDriverTest, IsStaleAfterATenthOfASecond) {
 TEST_F(DualSenseDriverTest, ShowsTheClaysStiffnessAlongTheTrigger) {
     // Trigger half pulled (128 of 255: 10.04 mm of 20). The tool at 60 mm, pushed out by 1 N of 0.5 N/mm:
     // contact 2 mm before it, at 8.04 mm of travel. Zones are 2 mm wide: the centre of zone 4, at 9 mm, gets
-    // 0.48 N of 3.3 N, one of eight; zone 5 at 11 mm 1.48 N, four; then 2.48 N, six; then all of it.
+    // 0.48 N of 3.3 N, one of eight; zone 5 at 11 mm 1.48 N, four; then 2.48 N, six; then all eight.
     driver.take_report(report_with({{6, 128}}), 0);
     const auto report = told({.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 1}, 20 * kMs);
     ASSERT_EQ(report.size(), 48U);

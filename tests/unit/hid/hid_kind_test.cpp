@@ -1,4 +1,4 @@
-// Which driver a device gets, and what a person is told about one that gets none.
+// The driver of a device, and the message about a device without one.
 #include "engine/haptics/hid/hid_kind.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(HidKind, KnowsDevicesByTheirNumbers) {
     }
 }
 
-TEST(HidKind, KnowsForceJoysticksByTheirDescriptorWhoeverMadeThem) {
+TEST(HidKind, KnowsForceJoysticksOfAnyMakerByTheirDescriptor) {
     HidDeviceInfo stick = device(0x1234, 0x5678);
     stick.report_descriptor = testing::open_ffboard_descriptor();
     EXPECT_EQ(recognised(stick).kind, HidKind::kForceJoystick);

@@ -287,7 +287,7 @@ TEST_F(PidDriverTest, RejectsADeviceWithoutForces) {
     EXPECT_TRUE(script->take_sent().empty()) << "nothing is said to a device that is not understood";
 }
 
-TEST_F(PidDriverTest, IsToldToLetGoByWhoeverOutlivesItsProgram) {
+TEST_F(PidDriverTest, IsStoppedByLetGoOfAll) {
     info.kind = HidKind::kForceJoystick;
     script->info = info;
     ScriptedBus bus(script);

@@ -42,7 +42,7 @@ TEST(SpaceMouse, ReadsTheNavigatorsCapturedReports) {
 }
 
 TEST(SpaceMouse, ReadsBothHalvesOfALongReport) {
-    // Synthetic: the wireless model's layout is known from its descriptor, its motion reports from nowhere.
+    // Synthetic: the wireless model's layout is known from its descriptor, but no motion reports are public.
     const SpaceMouseState state = after({"01 12 00 00 00 12 01 20 00 00 00 19 00"});
     EXPECT_EQ(state.translation, (std::array<std::int16_t, 3>{18, 0, 274}));
     EXPECT_EQ(state.rotation, (std::array<std::int16_t, 3>{32, 0, 25}));

@@ -218,8 +218,7 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
     for (const auto& one : kMistakes) {
         const auto refused = read_config(one.toml, "kiosk.toml");
         ASSERT_FALSE(refused) << one.toml;
-        // What the library says of a text that is no TOML is its own affair, but not where, nor in how many
-        // lines.
+        // The library chooses the message for invalid TOML, but it must have the location and be one line.
         const std::string_view message = refused.error().message;
         if (std::string_view(one.message).ends_with("found ")) {
             EXPECT_TRUE(message.starts_with(one.message)) << message;

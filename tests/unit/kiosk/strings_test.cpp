@@ -30,8 +30,7 @@ TEST(Strings, HaveEveryKeyInEveryLanguage) {
     }
 }
 
-// A text that a museum has translated and nobody ever sees is work for nothing, and looks as if it were
-// there.
+// A text that is never shown costs museums a useless translation.
 TEST(Strings, AreAllShownOrSpokenButThoseThatTheDesignHasNoPlaceFor) {
     const std::set<std::string> placeless{
         "help.button",  // "Show me" stands on the ledge for as long as anybody throws

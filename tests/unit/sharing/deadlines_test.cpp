@@ -21,7 +21,7 @@ Deadlines::Handle add(Deadlines& deadlines, int socket, double now_s, std::uint8
     });
 }
 
-TEST(Deadlines, CutOffWhoDoesNotSayWhatItWants) {
+TEST(Deadlines, CloseAConnectionWithoutARequest) {
     Deadlines deadlines({.head_s = 10.0, .answer_s = 20.0, .bytes_per_s = 1000.0});
     static_cast<void>(add(deadlines, 3, 0.0));
     const auto other = add(deadlines, 4, 5.0);
@@ -33,7 +33,7 @@ TEST(Deadlines, CutOffWhoDoesNotSayWhatItWants) {
     EXPECT_EQ(deadlines.size(), 1U);
 }
 
-TEST(Deadlines, CutOffWhoHasGoneBeforeItAsked) {
+TEST(Deadlines, CloseAConnectionGoneBeforeItsRequest) {
     Deadlines deadlines;
     static_cast<void>(add(deadlines, 3, 0.0));
     const auto served = add(deadlines, 4, 0.0);
@@ -56,7 +56,7 @@ TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
     EXPECT_EQ(cut_at(deadlines, 55.8), std::vector<int>{3});
 }
 
-TEST(Deadlines, HaveLessPatienceInACrowd) {
+TEST(Deadlines, AreShorterInACrowd) {
     Deadlines deadlines({.head_s = 10.0, .crowded_head_s = 1.0, .crowd = 3});
     static_cast<void>(add(deadlines, 3, 0.0));
     const auto served = add(deadlines, 4, 0.0);

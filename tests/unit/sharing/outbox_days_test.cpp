@@ -50,7 +50,7 @@ TEST(OutboxOverDays, LetsCodesRunOutAndKeepsTheDiskFlat) {
             ASSERT_EQ(again->list()->size(), outbox->list()->size());
             outbox = std::move(again);
         }
-        // The server looks at the time itself, whether the kiosk has cleared up or not.
+        // The server checks the time itself, whether or not the kiosk has removed expired pots.
         std::size_t open_now = 0;
         for (const auto& [text, end] : ends) {
             const ShareCode code = *ShareCode::read_exactly(text);
@@ -69,7 +69,7 @@ TEST(OutboxOverDays, LetsCodesRunOutAndKeepsTheDiskFlat) {
     EXPECT_EQ(ends.size(), 3U * 8 * 2);
     // Other codes pack a few bytes better or worse.
     EXPECT_LT(most_bytes, most_of_first_day + 1000) << "no day takes more than the first";
-    EXPECT_LT(most_bytes, 1'500'000U) << "twelve pots of some 60 kB, and what is at the door";
+    EXPECT_LT(most_bytes, 1'500'000U) << "twelve pots of some 60 kB, and the files outside them";
 }
 
 // Seconds since 1970 of a day's noon.

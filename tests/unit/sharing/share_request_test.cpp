@@ -27,7 +27,7 @@ TEST(ShareRequest, FindsAPotByItsCodeAlone) {
     EXPECT_EQ(answer_to({.method = "HEAD", .target = "/K73FQ9TX/pot.stl"}).kind, Kind::kFile);
 }
 
-TEST(ShareRequest, LeadsWhoTypesACodeToIt) {
+TEST(ShareRequest, RedirectsATypedCodeToItsPot) {
     const struct {
         const char* target;
         const char* location;

@@ -12,7 +12,7 @@ namespace {
 
 using Phase = Touch::Phase;
 
-// Fingers on a screen, and what a pointer would have done, in words: "at 10,20 down at 11,20 up".
+// Fingers on a screen, and the equivalent pointer events as text: "at 10,20 down at 11,20 up".
 class AScreen : public testing::Test {
   protected:
     void touch(Phase phase, std::uint32_t finger, double x, double y, std::uint32_t time_ms) {
@@ -41,7 +41,7 @@ TEST_F(AScreen, IsAPointerToOneFinger) {
     EXPECT_EQ(seen(), "at 50,60 down");
 }
 
-TEST_F(AScreen, LetsNobodyDisturbAFingerAtWork) {
+TEST_F(AScreen, IgnoresOtherFingersWhileOneMoves) {
     touch(Phase::kBegin, 1, 100, 100, 0);
     for (std::uint32_t step = 1; step <= 10; ++step)
         touch(Phase::kMove, 1, 100, 100 + 30.0 * step, 1000 * step);
@@ -54,7 +54,7 @@ TEST_F(AScreen, LetsNobodyDisturbAFingerAtWork) {
     EXPECT_EQ(seen(), "at 100,400 up");
 }
 
-TEST_F(AScreen, LetsAHandThatLiesStillKeepNobodyFromTheWheel) {
+TEST_F(AScreen, LetsANewFingerReplaceOneThatLiesStill) {
     touch(Phase::kBegin, 1, 3, 500, 0);
     for (std::uint32_t wander = 0; wander < 100; ++wander)
         touch(Phase::kMove, 1, 3.0 + wander % 5, 500, 100 * wander);
@@ -62,7 +62,7 @@ TEST_F(AScreen, LetsAHandThatLiesStillKeepNobodyFromTheWheel) {
     touch(Phase::kBegin, 2, 600, 300, 10000);
     EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down") << "nothing is pressed where it lies";
     touch(Phase::kMove, 1, 300, 500, 10010);
-    EXPECT_EQ(seen(), "") << "it is nobody now";
+    EXPECT_EQ(seen(), "") << "it is ignored now";
     touch(Phase::kEnd, 2, 600, 300, 10020);
     EXPECT_EQ(seen(), "at 600,300 up");
     touch(Phase::kMove, 1, 310, 500, 10030);

@@ -104,8 +104,7 @@ bool KioskKeeper::follow() {
         // What cannot be kept is no reason to stop the wheel.
         const auto report = faults_.look(record, history_);
         if (report && *report)
-            complain(
-                fmt::format("fault: kept as {}, which onggi replay works out again", (*report)->string()));
+            complain(fmt::format("fault: session kept as {}, for onggi replay", (*report)->string()));
     }
     return true;
 }
@@ -132,7 +131,7 @@ bool KioskKeeper::work_out_interrupted_session() {
                                                   .jar = jar_.stage(),
                                                   .jar_target = jar_.target(),
                                                   .drawn = interrupted_drawing()},
-                .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
+                .words = fmt::format("interrupted visit: {:.1f} s of throwing can be resumed",
                                      interrupted_session_->seconds())});
         return false;
     }
@@ -421,7 +420,7 @@ std::shared_ptr<const decoration::Recorded> KioskKeeper::interrupted_drawing() {
     auto drawn = bytes ? decoration::recorded_from(std::as_bytes(std::span(*bytes)), drawing_place().string())
                        : Result<decoration::Recorded>(bytes.error());
     if (drawn) return std::make_shared<const decoration::Recorded>(std::move(*drawn));
-    complain("interrupted visit: what was drawn is dropped: " + drawn.error().message);
+    complain("interrupted visit: decoration dropped: " + drawn.error().message);
     remove_drawing();
     return nullptr;
 }
