@@ -348,7 +348,8 @@ class Gathering {
 
     Result<std::vector<GltfPart>> gather() {
         const auto scene = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
-        if (!model_.scenes.empty() && scene >= model_.scenes.size()) return bad_input("expected a scene, found none");
+        if (!model_.scenes.empty() && scene >= model_.scenes.size())
+            return bad_input("expected a scene, found none");
         for (const int node : model_.scenes.empty() ? roots() : model_.scenes[scene].nodes) {
             if (auto added = add_node(node, dmat4(1.0), 0); !added) return added.error();
         }
@@ -410,8 +411,9 @@ class Gathering {
         if (!is_points && primitive.mode != TINYGLTF_MODE_LINE && primitive.mode != TINYGLTF_MODE_LINE_LOOP &&
             primitive.mode != TINYGLTF_MODE_LINE_STRIP)
             return false;
-        std::string words = fmt::format("mesh {}: {}", mesh_name.empty() ? std::to_string(index) : in_quotes(mesh_name),
-                                        is_points ? "points" : "lines");
+        std::string words =
+            fmt::format("mesh {}: {}", mesh_name.empty() ? std::to_string(index) : in_quotes(mesh_name),
+                        is_points ? "points" : "lines");
         if (std::find(left_out_.begin(), left_out_.end(), words) == left_out_.end())
             left_out_.push_back(std::move(words));
         return true;
@@ -481,13 +483,15 @@ class Gathering {
         return as_triangles(primitive.mode, most, into);
     }
 
-    // Strips and fans as single triangles (glTF 2.0, 3.7.2.1); those without an area, which join strips, are dropped.
+    // Strips and fans as single triangles (glTF 2.0, 3.7.2.1); those without an area, which join strips, are
+    // dropped.
     static Result<void> as_triangles(int mode, std::size_t most, std::vector<std::uint32_t>& indices) {
         // tinygltf gives -1 where the file leaves the mode out, which means triangles.
         if (mode == TINYGLTF_MODE_TRIANGLES || mode == -1) return {};
         if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN)
             return bad_input(fmt::format("expected triangles, found mode {}", mode));
-        if (indices.size() > most / 3 + 2) return bad_input("expected fewer triangles, found more than the limit");
+        if (indices.size() > most / 3 + 2)
+            return bad_input("expected fewer triangles, found more than the limit");
         const std::vector<std::uint32_t> row = std::exchange(indices, {});
         for (std::size_t i = 0; i + 2 < row.size(); ++i) {
             const bool is_fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
@@ -542,7 +546,8 @@ Result<GltfModel> decode(std::span<const std::byte> bytes, const GltfLimits& lim
     GltfModel model;
     for (const std::string& extension : parsed->extensionsRequired) {
         if (!is_of_the_surface(extension))
-            return bad_input(fmt::format("expected no required extension of the shape, found {}", first_line(extension)));
+            return bad_input(
+                fmt::format("expected no required extension of the shape, found {}", first_line(extension)));
         model.left_out.push_back("extension " + first_line(extension));
     }
     for (const tinygltf::Material& material : parsed->materials)

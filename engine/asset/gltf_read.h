@@ -35,16 +35,16 @@ struct GltfPart {
 };
 
 struct GltfModel {
-    std::vector<Material> materials;  // factors only, textures are not read
-    std::vector<GltfPart> parts;      // in the order of the scene's nodes; at least one
+    std::vector<Material> materials;    // factors only, textures are not read
+    std::vector<GltfPart> parts;        // in the order of the scene's nodes; at least one
     std::vector<std::string> left_out;  // "mesh 'grid': lines", each once: what is there and is not drawn
 };
 
-// Reads the default scene, or the first; in a file without scenes, all root nodes. Triangles, strips and fans are read. Points
-// and lines are left out, and so are extensions of the surface (KHR_materials_*, textures, lights), even if the file requires
-// them. Errors call the file `name`. kBadInput for anything but a whole GLB with triangles within the limits, including sparse
-// or compressed accessors, other required extensions, and buffers or images outside the file. Missing normals are computed,
-// smooth across shared vertices.
+// Reads the default scene, or the first; in a file without scenes, all root nodes. Triangles, strips and fans
+// are read. Points and lines are left out, and so are extensions of the surface (KHR_materials_*, textures,
+// lights), even if the file requires them. Errors call the file `name`. kBadInput for anything but a whole
+// GLB with triangles within the limits, including sparse or compressed accessors, other required extensions,
+// and buffers or images outside the file. Missing normals are computed, smooth across shared vertices.
 Result<GltfModel> decode_glb(std::span<const std::byte> bytes, std::string_view name,
                              const GltfLimits& limits = {});
 

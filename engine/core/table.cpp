@@ -34,8 +34,9 @@ class RowReader {
         while (true) {
             if (!take_field(text, field)) return at_row(name_, line_, reason_);
             if (!is_text(field)) {
-                return at_row(name_, line_,
-                              fmt::format("column {}: expected text, found {}", fields.size() + 1, in_quotes(field)));
+                return at_row(
+                    name_, line_,
+                    fmt::format("column {}: expected text, found {}", fields.size() + 1, in_quotes(field)));
             }
             fields.push_back(field);
             if (text.empty()) break;
@@ -51,7 +52,8 @@ class RowReader {
     bool take_field(std::string_view& rest, std::string& field) {
         const std::string_view plain = rest.substr(0, rest.find(delimiter_));
         const bool between_tabs = delimiter_ == '\t';
-        const bool is_quoted = rest.starts_with('"') && (!between_tabs || plain.find("\"\"") != std::string_view::npos);
+        const bool is_quoted =
+            rest.starts_with('"') && (!between_tabs || plain.find("\"\"") != std::string_view::npos);
         if (is_quoted) return take_quoted_field(rest, field);
         field = plain;
         rest.remove_prefix(plain.size());
@@ -76,7 +78,8 @@ class RowReader {
             rest.remove_prefix(1);
         }
         if (rest.empty() || rest.front() == delimiter_) return true;
-        reason_ = fmt::format("expected {} after the closing quote, found {}", in_quotes({&delimiter_, 1}), in_quotes(rest));
+        reason_ = fmt::format("expected {} after the closing quote, found {}", in_quotes({&delimiter_, 1}),
+                              in_quotes(rest));
         return false;
     }
 
@@ -123,7 +126,8 @@ Result<Table> parse_table(std::string_view text, std::string_view name, std::str
         if (line == 1) {
             table.columns = std::move(*fields);
             if (const std::string found = joined(table.columns); !header.empty() && found != header)
-                return at_row(name, 1, fmt::format("expected the header {}, found {}", header, in_quotes(found)));
+                return at_row(name, 1,
+                              fmt::format("expected the header {}, found {}", header, in_quotes(found)));
             continue;
         }
         if (fields->empty()) continue;

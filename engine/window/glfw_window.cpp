@@ -248,7 +248,8 @@ class GlfwWindow final : public Window {
             glfwGetWindowSize(window_, &windowed_.width, &windowed_.height);
             fill_screen();
         } else {
-            if (std::exchange(covers_display_, false)) glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_TRUE);
+            if (std::exchange(covers_display_, false))
+                glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_TRUE);
             const Size size = windowed_.width > 0 ? windowed_ : Size{1280, 720};
             glfwSetWindowMonitor(window_, nullptr, windowed_x_, windowed_y_, size.width, size.height,
                                  GLFW_DONT_CARE);
@@ -259,15 +260,17 @@ class GlfwWindow final : public Window {
     static GlfwWindow& self(GLFWwindow* window) {
         return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
     }
-    [[nodiscard]] bool fills_screen() const { return covers_display_ || glfwGetWindowMonitor(window_) != nullptr; }
+    [[nodiscard]] bool fills_screen() const {
+        return covers_display_ || glfwGetWindowMonitor(window_) != nullptr;
+    }
     void fill_screen() {
         GLFWmonitor* monitor = glfwGetPrimaryMonitor();
         const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
         if (mode == nullptr) return;
         glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
-    // If RandR reports no CRTC, GLFW 3.3 places a full-screen window at uninitialised coordinates, out of sight. A window
-    // without decoration then covers the display.
+    // If RandR reports no CRTC, GLFW 3.3 places a full-screen window at uninitialised coordinates, out of
+    // sight. A window without decoration then covers the display.
     void come_onto_the_display() {
         GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
         const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
@@ -347,7 +350,7 @@ class GlfwWindow final : public Window {
     bool shows_cursor_ = true;
     PointerArrow arrow_{fingers_ == nullptr};
     double refresh_hz_ = refresh_now_hz();
-    bool moved_ = true;  // perhaps to another display
+    bool moved_ = true;            // perhaps to another display
     bool covers_display_ = false;  // without being GLFW's full screen
     Size windowed_;
     int windowed_x_ = 0;

@@ -21,7 +21,8 @@ void PointerArrow::moved(double x_px, double y_px, double now_s) {
     }
     ++moves_;
     moved_s_ = now_s;
-    is_shown_ = is_shown_ || (moves_ >= kFewestMoves && std::hypot(x_px - from_x_px_, y_px - from_y_px_) >= kJoltPx);
+    is_shown_ =
+        is_shown_ || (moves_ >= kFewestMoves && std::hypot(x_px - from_x_px_, y_px - from_y_px_) >= kJoltPx);
 }
 
 bool PointerArrow::is_shown(double now_s) {

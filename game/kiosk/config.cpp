@@ -77,8 +77,8 @@ bool is_pin(const std::string& pin) {
     return digits && (pin.empty() || (pin.size() >= 4 && pin.size() <= 8));
 }
 
-// Whether a port stands behind an address or interface: "10.0.0.5:80", "wlan0:8080". An interface may have aliases ("eth0:1"),
-// numbered from 0 on.
+// Whether a port stands behind an address or interface: "10.0.0.5:80", "wlan0:8080". An interface may have
+// aliases ("eth0:1"), numbered from 0 on.
 bool has_port(const std::string& text) {
     constexpr int kMostAliases = 79;
     const std::size_t colon = text.find(':');
@@ -97,11 +97,12 @@ bool is_address_or_interface(const std::string& text) {
 
 bool is_unreserved(char letter) {
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-           (letter >= '0' && letter <= '9') || std::string_view(":/.-_~[]").find(letter) != std::string_view::npos;
+           (letter >= '0' && letter <= '9') ||
+           std::string_view(":/.-_~[]").find(letter) != std::string_view::npos;
 }
 
-// An address as phones need it: http:// or https://, in small letters, the host in ASCII (IDNA 2008), and characters that need
-// no percent-encoding (RFC 3986). Empty: it is none.
+// An address as phones need it: http:// or https://, in small letters, the host in ASCII (IDNA 2008), and
+// characters that need no percent-encoding (RFC 3986). Empty: it is none.
 std::optional<std::string> web_address(const std::string& text) {
     constexpr std::size_t kMostBytes = 200;
     const std::size_t scheme_end = text.find("://");
@@ -199,7 +200,8 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"hours.opens", time_of_day(config.hours.opens_min)},
         {"hours.closes", time_of_day(config.hours.closes_min)},
         {"sharing.listen",
-         words(config.sharing.listen, "an address such as \"10.0.0.5\" or an interface such as \"wlan0\", without a port",
+         words(config.sharing.listen,
+               "an address such as \"10.0.0.5\" or an interface such as \"wlan0\", without a port",
                is_address_or_interface)},
         {"sharing.port", whole(config.sharing.port, 1, 65535, "a whole number, 1 to 65535")},
         {"sharing.public_url", web_address_or_nothing(config.sharing.public_url)},

@@ -47,8 +47,7 @@ Result<Language> Language::read(std::string_view table, std::string code, const 
         };
         const std::string& key = cells[0];
         if (key.empty() || cells[1].empty()) return wrong("a key and its text", key + cells[1]);
-        if (!cells[3].empty() && cells[3] != "native")
-            return wrong("native or nothing as check", cells[3]);
+        if (!cells[3].empty() && cells[3] != "native") return wrong("native or nothing as check", cells[3]);
         if (pattern != nullptr) {
             if (!pattern->has(key)) return wrong("a key that the program knows", key);
             if (placeholders(cells[1]) != placeholders(pattern->shown(key)))

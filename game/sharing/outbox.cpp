@@ -116,12 +116,13 @@ Result<bool> Outbox::renew(const ShareCode& code, const SharedPot& pot, const Sh
     return true;
 }
 
-// Called after the new pot is on disk: a failed put() removes no other pot. What is dated after now was shared before the
-// clock went back, so it is older than what is dated before.
+// Called after the new pot is on disk: a failed put() removes no other pot. What is dated after now was
+// shared before the clock went back, so it is older than what is dated before.
 Result<void> Outbox::make_room(const ShareCode& newcomer, std::int64_t now_s) {
     auto all = list();
     if (!all) return all.error();
-    std::stable_partition(all->begin(), all->end(), [&](const OutboxEntry& entry) { return entry.made_s > now_s; });
+    std::stable_partition(all->begin(), all->end(),
+                          [&](const OutboxEntry& entry) { return entry.made_s > now_s; });
     std::uint64_t bytes = 0;
     for (const OutboxEntry& entry : *all)
         bytes += entry.bytes;
@@ -173,7 +174,8 @@ Result<int> Outbox::expire(std::int64_t now_s) {
         const auto note = text ? read_note(*text) : std::nullopt;
         if (note && !is_over(*note, now_s)) {
             const auto later = redated(*note, now_s);
-            const auto noted = later ? files::write_file_atomically(entry / kNoteName, written(*later)) : Result<void>{};
+            const auto noted =
+                later ? files::write_file_atomically(entry / kNoteName, written(*later)) : Result<void>{};
             if (!noted) trouble = noted;
         } else if (auto taken = files::take_away_folder(entry); !taken) {
             trouble = taken;

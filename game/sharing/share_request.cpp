@@ -88,12 +88,15 @@ ShareAnswer moved_to(std::string location) {
     return {.kind = ShareAnswer::Kind::kMoved, .location = std::move(location)};
 }
 
-// The path of a target in absolute form, which a server has to take (RFC 9112, 3.2.2): whatever host it names.
+// The path of a target in absolute form, which a server has to take (RFC 9112, 3.2.2): whatever host it
+// names.
 std::string_view without_authority(std::string_view target) {
     for (const std::string_view scheme : {"http://", "https://"}) {
         if (!same_word(target.substr(0, scheme.size()), scheme)) continue;
         const std::size_t end = target.find_first_of("/?", scheme.size());
-        return end == std::string_view::npos ? "/" : target[end] == '/' ? target.substr(end) : std::string_view();
+        return end == std::string_view::npos ? "/"
+               : target[end] == '/'          ? target.substr(end)
+                                             : std::string_view();
     }
     return target;
 }
@@ -114,7 +117,8 @@ std::string_view without_tail(std::string_view path) {
         if (path.ends_with("..")) return path;  // which leads upwards
         if (path.ends_with(kSpace)) {
             path.remove_suffix(kSpace.size());
-        } else if (path.ends_with("//") || (!path.empty() && kSigns.find(path.back()) != std::string_view::npos)) {
+        } else if (path.ends_with("//") ||
+                   (!path.empty() && kSigns.find(path.back()) != std::string_view::npos)) {
             path.remove_suffix(1);
         } else {
             return path;

@@ -20,10 +20,12 @@ constexpr std::size_t kMostBytes = std::size_t{128} << 20;
 // A larger part is a wall or a table: drawn from both sides, and too large for the single shadow map.
 constexpr float kThingMm = 1500.0F;
 
-// "wheel", "Wheel.001", "WheelHead" and "wheel_head", but no "wheelchair": the word and what does not go on with it.
+// "wheel", "Wheel.001", "WheelHead" and "wheel_head", but no "wheelchair": the word and what does not go on
+// with it.
 bool is_wheel(std::string_view name) {
     constexpr std::string_view kWord = "wheel";
-    const bool has_word = name.size() >= kWord.size() && std::equal(kWord.begin(), kWord.end(), name.begin(), [](char a, char b) {
+    const bool has_word = name.size() >= kWord.size() &&
+                          std::equal(kWord.begin(), kWord.end(), name.begin(), [](char a, char b) {
                               return a == std::tolower(static_cast<unsigned char>(b));
                           });
     if (!has_word) return false;

@@ -68,11 +68,13 @@ TEST(ShareProgram, WaitsForTheFolderThatTheKioskMakes) {
     const TemporaryFolder folder;
     const std::string box = (folder / "box").string();
     RunningOnggi server({"share", "--outbox", box, "--listen", "127.0.0.1", "--port", "0"});
-    EXPECT_TRUE(comes_true([&] { return server.printed().find("waiting for the folder") != std::string::npos; }));
+    EXPECT_TRUE(
+        comes_true([&] { return server.printed().find("waiting for the folder") != std::string::npos; }));
     std::filesystem::create_directory(box);
     EXPECT_EQ(get(port_said_by(server), "/").status, 200);
     RunningOnggi impatient({"share", "--outbox", box + "2", "--listen", "127.0.0.1", "--port", "0"});
-    EXPECT_TRUE(comes_true([&] { return impatient.printed().find("waiting for the folder") != std::string::npos; }));
+    EXPECT_TRUE(
+        comes_true([&] { return impatient.printed().find("waiting for the folder") != std::string::npos; }));
     impatient.signal(SIGTERM);
     EXPECT_EQ(impatient.exit_code(), 0);
 }

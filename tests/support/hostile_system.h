@@ -168,8 +168,8 @@ inline bool fail_listings_after(int pieces) {
            ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
 }
 
-// In a child: from now on the sync of a folder fails with `error`, as network and FUSE file systems have it; files are
-// synced. False where the kernel does not do that.
+// In a child: from now on the sync of a folder fails with `error`, as network and FUSE file systems have it;
+// files are synced. False where the kernel does not do that.
 inline int error_of_folder_syncs = 0;  // NOLINT: a signal handler knows nothing else
 
 inline bool refuse_folder_syncs(int error) {
@@ -185,10 +185,9 @@ inline bool refuse_folder_syncs(int error) {
     };
     ::sigaction(SIGSYS, &answer, nullptr);
     constexpr unsigned kNumberAt = 0;  // in struct seccomp_data
-    sock_filter steps[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kNumberAt),
-                           BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fsync, 0, 1),
-                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP),
-                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+    sock_filter steps[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kNumberAt), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fsync, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP), BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
     const sock_fprog filter{static_cast<unsigned short>(std::size(steps)), steps};
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
            ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;

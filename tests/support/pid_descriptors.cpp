@@ -19,7 +19,8 @@ struct Maker {
     std::int64_t direction_full;
     std::uint32_t direction_bits;
     bool start_delay_first, start_delay_last, type_specific_offset;
-    bool is_sparse;  // no parameter block offset, negative side, dead band or collection around the control list
+    bool is_sparse;  // no parameter block offset, negative side, dead band or collection around the control
+                     // list
 };
 
 constexpr Maker kOpenFfboard{.set_effect = 0x01,

@@ -78,11 +78,12 @@ bool has_collection(const ReportDescriptor& descriptor, Usage wanted) {
 bool is_newer_space_mouse(const HidDeviceInfo& device, const ReportDescriptor& descriptor) {
     const bool is_another =
         std::find(kNotSpaceMice.begin(), kNotSpaceMice.end(), device.product_id) != kNotSpaceMice.end();
-    return device.vendor_id == k3Dconnexion && !is_another && has_collection(descriptor, kMultiAxisController);
+    return device.vendor_id == k3Dconnexion && !is_another &&
+           has_collection(descriptor, kMultiAxisController);
 }
 
-// Whether this interface of a known device is the one to drive: a receiver has a mouse's or a keyboard's beside the
-// axes, under the same numbers. Without a descriptor the numbers decide.
+// Whether this interface of a known device is the one to drive: a receiver has a mouse's or a keyboard's
+// beside the axes, under the same numbers. Without a descriptor the numbers decide.
 bool is_other_interface(const HidDeviceInfo& device, const Result<ReportDescriptor>& descriptor) {
     if (device.report_descriptor.empty() || !descriptor) return false;
     const auto has_input = [&](Usage wanted) {

@@ -83,8 +83,8 @@ class HidSession final : public jobs::IoWork {
     ForceGate gate_;
 
     std::unique_ptr<HidPort> port_;
-    // Other nodes of the kind, heard until the one in use says something: of a receiver's several, the one that a hand moves
-    // is wanted.
+    // Other nodes of the kind, heard until the one in use says something: of a receiver's several, the one
+    // that a hand moves is wanted.
     struct Rival {
         HidDeviceInfo info;
         std::unique_ptr<HidPort> port;

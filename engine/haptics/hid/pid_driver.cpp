@@ -93,7 +93,8 @@ Result<void> PidDriver::begin(HidPort& port) {
     // all" as "actuators off".
     for (const PidUsage control : {PidUsage::kReset, PidUsage::kReset, PidUsage::kStopAll}) {
         // A reset may be refused: the effects are set anew in any case.
-        if (auto sent = write(port, device_control(*layout_, control)); !sent && control == PidUsage::kStopAll)
+        if (auto sent = write(port, device_control(*layout_, control));
+            !sent && control == PidUsage::kStopAll)
             return sent;
         port.pause_ms(kResetPauseMs);
     }

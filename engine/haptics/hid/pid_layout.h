@@ -101,7 +101,8 @@ class PidLayout {
     [[nodiscard]] Usage collection_of(PidUsage report) const noexcept;
 
     ReportDescriptor descriptor_;
-    // Several firmwares name the list alone, without the report around it: Linux's hid-pidff looks for no more.
+    // Several firmwares name the list alone, without the report around it: Linux's hid-pidff looks for no
+    // more.
     PidUsage device_control_ = PidUsage::kDeviceControlReport;
 };
 

@@ -85,7 +85,8 @@ DeviceCapabilities SpaceMouseDriver::capabilities() const {
 Result<void> SpaceMouseDriver::start(const HidDeviceInfo& /*device*/, HidPort& port) {
     state_ = {};
     wheel_turns_ = false;
-    (void)port.write(space_mouse_lamp(true).view());  // an ornament: one that cannot be switched refuses no hand
+    (void)port.write(
+        space_mouse_lamp(true).view());  // an ornament: one that cannot be switched refuses no hand
     return {};
 }
 

@@ -150,8 +150,8 @@ Finding probe_room(const std::string& room) {
     if (opened.lack.empty()) {
         return {.subject = "room",
                 .verdict = opened.note.empty() ? Verdict::kGood : Verdict::kNote,
-                .found =
-                    fmt::format("the museum's own, {}{}", room, opened.note.empty() ? "" : "; not drawn: " + opened.note)};
+                .found = fmt::format("the museum's own, {}{}", room,
+                                     opened.note.empty() ? "" : "; not drawn: " + opened.note)};
     }
     return {.subject = "room",
             .verdict = Verdict::kLacking,

@@ -270,7 +270,8 @@ void tell_of_end(const KioskOptions& options, int code) {
     if (code == 0) return;
     const auto settings = settings_of(options);
     if (!settings) return;  // the kiosk has printed the error
-    if (GalleryLock::other_at(state_folder(settings->config.gallery.folder))) return;  // the status is the other kiosk's
+    if (GalleryLock::other_at(state_folder(settings->config.gallery.folder)))
+        return;  // the status is the other kiosk's
     if (auto told = KioskHeartbeat(settings->config).end_after_fall(wall_clock_s()); !told)
         warn(told.error().message);
 }

@@ -82,7 +82,8 @@ Result<void> wait_for_folder(const std::string& folder) {
     while (!std::filesystem::exists(folder, error) && !end_was_asked())
         std::this_thread::sleep_for(std::chrono::milliseconds(kRoundMs));
     if (end_was_asked() || std::filesystem::is_directory(folder, error)) return {};
-    return bad_input(fmt::format("{}: expected a folder of shared pots, found something else", shown_path(folder)));
+    return bad_input(
+        fmt::format("{}: expected a folder of shared pots, found something else", shown_path(folder)));
 }
 
 Result<void> serve(const ShareOptions& options) {

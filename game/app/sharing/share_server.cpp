@@ -200,8 +200,9 @@ bool has_gone(int socket) {
     return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
 }
 
-// Whether the other side begins with a TLS handshake (RFC 8446, 5.1): a browser that tries https first goes on to http as
-// soon as it is closed. The listening socket hands connections over with their first bytes (TCP_DEFER_ACCEPT).
+// Whether the other side begins with a TLS handshake (RFC 8446, 5.1): a browser that tries https first goes
+// on to http as soon as it is closed. The listening socket hands connections over with their first bytes
+// (TCP_DEFER_ACCEPT).
 bool speaks_tls(int socket) {
     constexpr char kHandshake = 0x16;
     char first = 0;

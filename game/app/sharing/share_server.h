@@ -21,8 +21,8 @@ struct DeadlineRules {
     double head_s = 10.0;         // for a whole request header, and for silence
     double crowded_head_s = 1.0;  // the same in a crowd
     std::size_t crowd = 384;      // connections that make a crowd
-    // Connections without a whole request. A new one beyond these replaces the oldest, so that open headers keep no other
-    // phone out, whether it has the same address or not.
+    // Connections without a whole request. A new one beyond these replaces the oldest, so that open headers
+    // keep no other phone out, whether it has the same address or not.
     std::size_t most_heads_an_address = 96;
     std::size_t most_heads = 448;
     double answer_s = 20.0;         // for an answer, plus
@@ -46,7 +46,8 @@ class Deadlines {
     // Calls cut(socket) for each whose place the newcomer takes.
     template <typename Cut>
     [[nodiscard]] Handle add(int socket, const sharing::AddressKey& address, double now_s, Cut cut) {
-        make_room([&](const Connection& other) { return other.address == address; }, rules_.most_heads_an_address, cut);
+        make_room([&](const Connection& other) { return other.address == address; },
+                  rules_.most_heads_an_address, cut);
         make_room([](const Connection&) { return true; }, rules_.most_heads, cut);
         const Handle added =
             connections_.insert(connections_.end(), Connection{.socket = socket, .address = address});

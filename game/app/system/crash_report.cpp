@@ -143,15 +143,17 @@ void report_and_die(int signal, siginfo_t* info, void* context) {
     ::raise(signal);
 }
 
-// A machine without memory for it is no crash of the program's: one line, and the exit code of what the system lacks. Called
-// where no thread and no start catches what it throws.
+// A machine without memory for it is no crash of the program's: one line, and the exit code of what the
+// system lacks. Called where no thread and no start catches what it throws.
 [[noreturn]] void end_without_memory_or_crash() noexcept {
     try {
         if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
     } catch (const std::bad_alloc&) {
         std::array<char, 17> thread{};
         ::prctl(PR_GET_NAME, thread.data());
-        (Line(for_journal, "onggi: ") << "expected memory for the thread " << thread.data() << ", found none left").write();
+        (Line(for_journal, "onggi: ")
+         << "expected memory for the thread " << thread.data() << ", found none left")
+            .write();
         ::_exit(exit_code(ErrorKind::kSystemLacks));
     } catch (...) {  // NOLINT: the signal below tells of it
     }
@@ -163,7 +165,8 @@ void copy(std::array<char, PATH_MAX>& into, const std::string& text) {
     if (text.size() < into.size()) std::memcpy(into.data(), text.data(), text.size());
 }
 
-// The first unused name, or that of the oldest file. A file dated after now was written before the clock went back.
+// The first unused name, or that of the oldest file. A file dated after now was written before the clock went
+// back.
 fs::path place_in(const fs::path& folder) {
     fs::path oldest;
     const fs::file_time_type now = fs::file_time_type::clock::now();

@@ -65,8 +65,8 @@ class StartKeeper {
     StartLog log_;
 };
 
-// One kiosk at a gallery: a lock on FOLDER/lock, which the kernel lets go when the process ends, however it ends. Held by the
-// process alone, not by its children. Main thread.
+// One kiosk at a gallery: a lock on FOLDER/lock, which the kernel lets go when the process ends, however it
+// ends. Held by the process alone, not by its children. Main thread.
 class GalleryLock {
   public:
     GalleryLock() = default;

@@ -39,7 +39,8 @@ TEST(CrashReport, SaysInOneLineThatAThreadFoundNoMemory) {
             throw std::bad_alloc();
         }).join();
     };
-    EXPECT_EXIT(allocate(), testing::ExitedWithCode(3), "^(<2>)?onggi: expected memory for the thread keeper, found none left\n$");
+    EXPECT_EXIT(allocate(), testing::ExitedWithCode(3),
+                "^(<2>)?onggi: expected memory for the thread keeper, found none left\n$");
 }
 
 }  // namespace

@@ -141,8 +141,8 @@ TEST_F(GalleryTest, LetsTheOldestGoUnderAClockThatHasGoneBackToo) {
     const Cut cut;
     for (int pot = 0; pot < 2; ++pot)
         ASSERT_TRUE(gallery.keep(cut.pot(), "1970-01-01"));
-    EXPECT_EQ(names_of(gallery), (std::vector<std::string>{"2026-11-21/pot-002", "1970-01-01/pot-002",
-                                                           "1970-01-01/pot-001"}));
+    EXPECT_EQ(names_of(gallery),
+              (std::vector<std::string>{"2026-11-21/pot-002", "1970-01-01/pot-002", "1970-01-01/pot-001"}));
 }
 
 TEST_F(GalleryTest, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
@@ -274,8 +274,9 @@ TEST_F(KeeperTest, SaysThatTheGalleryWasTakenAway) {
     keeper.survey();
     const auto said = answer<KeeperAnswer::Remark>();
     ASSERT_NE(said, nullptr);
-    EXPECT_EQ(said->words, folder.path().string() +
-                               ": expected the folder of the pots, found none; the next pot begins a new one");
+    EXPECT_EQ(said->words,
+              folder.path().string() +
+                  ": expected the folder of the pots, found none; the next pot begins a new one");
     EXPECT_TRUE(said->is_trouble);
 }
 

@@ -63,10 +63,14 @@ TEST_F(KioskSettingsTest, LoseABadTableOfWordsAndNothingElse) {
     EXPECT_EQ(settings->languages->front().code(), "ko");
     EXPECT_EQ(settings->rules.default_language, 0);
     ASSERT_GE(settings->remarks.size(), 2U);
-    EXPECT_NE(settings->remarks[0].find("fr.tsv:1: expected the header key,text,spoken,check, found 'no table'; the kiosk"),
-              std::string::npos) << settings->remarks[0];
-    EXPECT_NE(settings->remarks[1].find("ko.tsv:2: expected a key that the program knows, found 'other'; the built-in"),
-              std::string::npos) << settings->remarks[1];
+    EXPECT_NE(settings->remarks[0].find(
+                  "fr.tsv:1: expected the header key,text,spoken,check, found 'no table'; the kiosk"),
+              std::string::npos)
+        << settings->remarks[0];
+    EXPECT_NE(settings->remarks[1].find(
+                  "ko.tsv:2: expected a key that the program knows, found 'other'; the built-in"),
+              std::string::npos)
+        << settings->remarks[1];
     put(folder / "kiosk.toml", "[languages]\norder = [\"fr\"]\nfirst = \"fr\"\n");
     EXPECT_EQ(load_settings((folder / "kiosk.toml").string())->languages->front().code(), "en");
 }

@@ -140,7 +140,8 @@ TEST(GalleryLock, IsHeldByOneProcessUntilItEndsHoweverItEnds) {
         const auto refused = second.take(folder / "state");
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().kind, ErrorKind::kSystemLacks);
-        EXPECT_EQ(refused.error().message, folder.path().string() + ": expected no other kiosk at this gallery, found process " +
+        EXPECT_EQ(refused.error().message, folder.path().string() +
+                                               ": expected no other kiosk at this gallery, found process " +
                                                std::to_string(first));
     }
     EXPECT_EQ(GalleryLock::other_at(folder / "state"), first);

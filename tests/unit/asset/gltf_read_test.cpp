@@ -160,7 +160,8 @@ TEST_F(GltfRead, LeavesOutWhatHasNoSurfaceAndNamesIt) {
     sample.tree["scenes"][0]["nodes"] = {0, 1, 2, 1};
     sample.tree["meshes"].push_back(json::parse(R"({"name": "grid", "primitives": [
         {"attributes": {"POSITION": 0}, "mode": 1}, {"attributes": {"POSITION": 0}, "mode": 3}]})"));
-    sample.tree["meshes"].push_back(json::parse(R"({"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]})"));
+    sample.tree["meshes"].push_back(
+        json::parse(R"({"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]})"));
     const GltfModel model = read(sample);
     EXPECT_EQ(model.parts.size(), 1U);
     EXPECT_EQ(model.left_out, (std::vector<std::string>{"mesh 'grid': lines", "mesh 2: points"}));
@@ -182,7 +183,8 @@ TEST_F(GltfRead, DoesWithoutRequiredExtensionsOfTheSurfaceAlone) {
         sample.tree["extensionsUsed"] = sample.tree["extensionsRequired"] = {extension};
         EXPECT_EQ(read(sample).left_out, std::vector<std::string>{std::string("extension ") + extension});
     }
-    for (const char* extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"}) {
+    for (const char* extension :
+         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"}) {
         sample.tree["extensionsUsed"] = sample.tree["extensionsRequired"] = {extension};
         expect_refused(sample, "expected no required extension of the shape, found ");
     }

@@ -14,7 +14,8 @@ std::string refusal(std::string_view text) {
 }
 
 TEST(Table, GivesFieldsAsTheyAreWritten) {
-    const auto table = parse_table("a,b,c\n1,,\"x, \"\"y\"\"\"\r\n\"\",\"2\",\xeb\x8b\xac\n", "t.csv", "a,b,c");
+    const auto table =
+        parse_table("a,b,c\n1,,\"x, \"\"y\"\"\"\r\n\"\",\"2\",\xeb\x8b\xac\n", "t.csv", "a,b,c");
     ASSERT_TRUE(table) << table.error().message;
     EXPECT_EQ(table->columns, (Cells{"a", "b", "c"}));
     ASSERT_EQ(table->rows.size(), 2U);
@@ -26,9 +27,14 @@ TEST(Table, GivesFieldsAsTheyAreWritten) {
 
 // As editors and spreadsheets of all kinds leave it.
 TEST(Table, TakesWhatAnEditorMakesOfIt) {
-    for (const char* text : {"\xef\xbb\xbf" "a,b,c\n1,2,\n", "a,b,c\r\n1,2,\r\n\r\n", "a;b;c\n1;2;\n", "a\tb\tc\n1\t2\t\n",
-                             "a,b,c,,\n1,2,,,\n,,,,\n", "a,b,c\n1,2\n", "a,b,c\n\n# a note, with commas, and more, of them\n1,2,",
-                             "\"a\",\"b\",\"c\"\n\"1\",\"2\",\"\"\n", "\xef\xbb\xbf" "a\tb\tc\r\n1\t2\r\n\r\n"}) {
+    for (const char* text :
+         {"\xef\xbb\xbf"
+          "a,b,c\n1,2,\n",
+          "a,b,c\r\n1,2,\r\n\r\n", "a;b;c\n1;2;\n", "a\tb\tc\n1\t2\t\n", "a,b,c,,\n1,2,,,\n,,,,\n",
+          "a,b,c\n1,2\n", "a,b,c\n\n# a note, with commas, and more, of them\n1,2,",
+          "\"a\",\"b\",\"c\"\n\"1\",\"2\",\"\"\n",
+          "\xef\xbb\xbf"
+          "a\tb\tc\r\n1\t2\r\n\r\n"}) {
         const auto table = parse_table(text, "t.csv", "a,b,c");
         ASSERT_TRUE(table) << text << table.error().message;
         ASSERT_EQ(table->rows.size(), 1U) << text;
@@ -45,7 +51,8 @@ TEST(Table, TakesQuotesBetweenTabsForTextUnlessOneIsDoubled) {
 TEST(Table, RejectsAnotherHeader) {
     EXPECT_EQ(refusal("a,b\n1,2\n"), "t.csv:1: expected the header a,b,c, found 'a,b'");
     EXPECT_EQ(refusal(""), "t.csv:1: expected the header a,b,c, found ''");
-    EXPECT_EQ(refusal("a,b\xc2\xa0,c\n1,2,3\n"), "t.csv:1: expected the header a,b,c, found 'a,b\\xc2\\xa0,c'");
+    EXPECT_EQ(refusal("a,b\xc2\xa0,c\n1,2,3\n"),
+              "t.csv:1: expected the header a,b,c, found 'a,b\\xc2\\xa0,c'");
 }
 
 TEST(Table, RejectsRowsThatAreNone) {
@@ -56,8 +63,7 @@ TEST(Table, RejectsQuotesThatDoNotFit) {
     EXPECT_EQ(refusal("a,b,c\n1,\"2,3\n"), "t.csv:2: expected a closing quote, found the end of the line");
     EXPECT_EQ(refusal("a,b,c\n1,2\"2\",3\n"),
               "t.csv:2: expected quotes around a whole field, found '2\"2\"'");
-    EXPECT_EQ(refusal("a,b,c\n1,\"2\"x,3\n"),
-              "t.csv:2: expected ',' after the closing quote, found 'x,3'");
+    EXPECT_EQ(refusal("a,b,c\n1,\"2\"x,3\n"), "t.csv:2: expected ',' after the closing quote, found 'x,3'");
 }
 
 TEST(Table, RejectsWhatIsNoText) {

@@ -53,11 +53,13 @@ TEST(AtomicFolder, IsTakenAwayFromTheLowerLayerOfAnOverlay) {
     const test::TemporaryFolder folder;
     const std::string answer = test::in_child([&]() -> std::string {
         const std::string at = folder.path().string();
-        if (!test::enter_own_mounts() || ::mount("none", at.c_str(), "tmpfs", 0, nullptr) != 0) return "no mounts";
+        if (!test::enter_own_mounts() || ::mount("none", at.c_str(), "tmpfs", 0, nullptr) != 0)
+            return "no mounts";
         for (const char* place : {"lower/pot/inner", "upper", "work", "seen"})
             fs::create_directories(folder / place);
         test::put_file(folder / "lower/pot/inner/file", "pot");
-        const std::string layers = "lowerdir=" + at + "/lower,upperdir=" + at + "/upper,workdir=" + at + "/work";
+        const std::string layers =
+            "lowerdir=" + at + "/lower,upperdir=" + at + "/upper,workdir=" + at + "/work";
         if (::mount("none", (at + "/seen").c_str(), "overlay", 0, layers.c_str()) != 0) return "no overlay";
         std::error_code error;
         fs::rename(folder / "seen/pot", folder / "seen/other", error);
@@ -68,9 +70,11 @@ TEST(AtomicFolder, IsTakenAwayFromTheLowerLayerOfAnOverlay) {
         if (!again) return again.error().message;
         const auto kept = again->commit();
         if (!kept) return kept.error().message;
-        return fs::exists(folder / "lower/pot/inner/file") ? "gone and made again" : "the lower layer was written";
+        return fs::exists(folder / "lower/pot/inner/file") ? "gone and made again"
+                                                           : "the lower layer was written";
     });
-    if (answer == "no mounts" || answer == "no overlay") GTEST_SKIP() << "this system grants a test " << answer;
+    if (answer == "no mounts" || answer == "no overlay")
+        GTEST_SKIP() << "this system grants a test " << answer;
     EXPECT_EQ(answer, "gone and made again");
 }
 
@@ -89,7 +93,8 @@ TEST(AtomicFolder, IsKeptOnAFileSystemThatSyncsNoFolder) {
     };
     for (const int error : {EINVAL, ENOTSUP, ENOSYS})
         EXPECT_EQ(kept_with(error), "kept, and it is known") << error;
-    EXPECT_NE(kept_with(EIO).find("sync the folder: Input/output error"), std::string::npos) << kept_with(EIO);
+    EXPECT_NE(kept_with(EIO).find("sync the folder: Input/output error"), std::string::npos)
+        << kept_with(EIO);
 }
 
 TEST(AtomicFolder, LeavesNoPartsWhereTheyAreLookedForAndTouchesNothingElse) {

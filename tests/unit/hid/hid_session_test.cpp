@@ -296,7 +296,8 @@ TEST(HidSessionOfSeveralNodes, GoesOverToTheFirstThatSaysSomething) {
       private:
         std::vector<std::shared_ptr<ScriptedHid>> nodes_;
     };
-    std::vector<std::shared_ptr<ScriptedHid>> nodes{std::make_shared<ScriptedHid>(), std::make_shared<ScriptedHid>()};
+    std::vector<std::shared_ptr<ScriptedHid>> nodes{std::make_shared<ScriptedHid>(),
+                                                    std::make_shared<ScriptedHid>()};
     nodes[0]->info = {.path = "/dev/hidraw1", .may_open = true, .kind = HidKind::kSpaceMouse};
     nodes[1]->info = {.path = "/dev/hidraw2", .may_open = true, .kind = HidKind::kSpaceMouse};
     HidLink link;

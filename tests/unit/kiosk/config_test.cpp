@@ -64,7 +64,8 @@ TEST(Config, TakesAPublicAddressAsPeopleWriteIt) {
         {"http://[fd00::5]:8080/pots", "http://[fd00::5]:8080/pots"},
         {"", ""}};
     for (const auto& [written, meant] : kCases) {
-        const auto config = read_config(fmt::format("[sharing]\npublic_url = \"{}\"\n", written), "kiosk.toml");
+        const auto config =
+            read_config(fmt::format("[sharing]\npublic_url = \"{}\"\n", written), "kiosk.toml");
         ASSERT_TRUE(config) << config.error().message;
         EXPECT_EQ(config->sharing.public_url, meant);
     }
@@ -75,7 +76,8 @@ TEST(Config, TakesAPublicAddressAsPeopleWriteIt) {
 
 TEST(Config, WantsThePortApartFromThePlaceToListenAt) {
     for (const char* good : {"10.0.0.5", "fd00::5", "::", "wlan0", "eth0:1", "br-lan.10"})
-        EXPECT_TRUE(read_config(fmt::format("[sharing]\nlisten = \"{}\"\npublic_url = \"http://a\"\n", good), ""))
+        EXPECT_TRUE(
+            read_config(fmt::format("[sharing]\nlisten = \"{}\"\npublic_url = \"http://a\"\n", good), ""))
             << good;
     for (const char* bad : {"10.0.0.5:8080", "wlan0:8080", "museum.local:80", "[fd00::5]:8080", "eth0.10:80"})
         EXPECT_FALSE(read_config(fmt::format("[sharing]\nlisten = \"{}\"\n", bad), "")) << bad;
@@ -169,7 +171,8 @@ const struct {
      "kiosk.toml, line 2: expected a whole number, 1 to 100000 for most_pots, found 0"},
     {"[gallery]\nfolder = [\"out\"]\n", "kiosk.toml, line 2: expected a folder for folder, found a list"},
     {"[sharing]\nlisten = \"10.0.0.5 or so\"\n",
-     "kiosk.toml, line 2: expected an address such as \"10.0.0.5\" or an interface such as \"wlan0\", without a "
+     "kiosk.toml, line 2: expected an address such as \"10.0.0.5\" or an interface such as \"wlan0\", "
+     "without a "
      "port for listen, found '10.0.0.5 or so'"},
     {"[sharing]\nport = 0\n", "kiosk.toml, line 2: expected a whole number, 1 to 65535 for port, found 0"},
     {"[sharing]\npublic_url = \"museum.org/pots\"\n",

@@ -103,10 +103,14 @@ TEST(Strings, TakeLinesFromWindowsAndNotes) {
 }
 
 TEST(Strings, TakeATableAsEditorsLeaveIt) {
-    const auto marked = Language::read("\xef\xbb\xbf" "key\ttext\tspoken\tcheck\nctl.up\t위로\n", "ko", "ko.tsv", &english());
+    const auto marked = Language::read(
+        "\xef\xbb\xbf"
+        "key\ttext\tspoken\tcheck\nctl.up\t위로\n",
+        "ko", "ko.tsv", &english());
     ASSERT_TRUE(marked) << marked.error().message;
     EXPECT_EQ(marked->shown("ctl.up"), "위로");
-    EXPECT_TRUE(Language::read("key\ttext\tspoken\tcheck\n", "ko", "ko.tsv", &english())) << "nothing of its own yet";
+    EXPECT_TRUE(Language::read("key\ttext\tspoken\tcheck\n", "ko", "ko.tsv", &english()))
+        << "nothing of its own yet";
 }
 
 TEST(Strings, RejectsWhatIsNoTable) {

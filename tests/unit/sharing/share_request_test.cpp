@@ -48,10 +48,14 @@ TEST(ShareRequest, LeadsFromALinkThatAMessengerMadeTooLong) {
     const struct {
         const char* target;
         const char* location;
-    } kCases[] = {{"/K73FQ9TX)", "K73FQ9TX/"},         {"/K73FQ9TX/)", "../K73FQ9TX/"},
-                  {"/K73FQ9TX/,", "../K73FQ9TX/"},      {"/K73FQ9TX/%20", "../K73FQ9TX/"},
-                  {"/K73FQ9TX//", "../../K73FQ9TX/"},   {"/K73FQ9TX/).", "../K73FQ9TX/"},
-                  {"/k73f-q9tx,", "K73FQ9TX/"},         {"/K73FQ9TX/en.html)", "../K73FQ9TX/en.html"},
+    } kCases[] = {{"/K73FQ9TX)", "K73FQ9TX/"},
+                  {"/K73FQ9TX/)", "../K73FQ9TX/"},
+                  {"/K73FQ9TX/,", "../K73FQ9TX/"},
+                  {"/K73FQ9TX/%20", "../K73FQ9TX/"},
+                  {"/K73FQ9TX//", "../../K73FQ9TX/"},
+                  {"/K73FQ9TX/).", "../K73FQ9TX/"},
+                  {"/k73f-q9tx,", "K73FQ9TX/"},
+                  {"/K73FQ9TX/en.html)", "../K73FQ9TX/en.html"},
                   {"/K73FQ9TX/pot.glb,", "../K73FQ9TX/pot.glb"}};
     for (const auto& one : kCases) {
         EXPECT_EQ(get(one.target).kind, Kind::kMoved) << one.target;
@@ -102,8 +106,7 @@ TEST(ShareRequest, KnowsNothingElse) {
         EXPECT_EQ(get(target).kind, Kind::kNotFound) << target;
     }
     EXPECT_EQ(get("/?").kind, Kind::kAskForCode);
-    for (const char* target :
-         {"", "*", "K73FQ9TX/", "/K73FQ9TX/\x01", "/\xff", "/a b"})
+    for (const char* target : {"", "*", "K73FQ9TX/", "/K73FQ9TX/\x01", "/\xff", "/a b"})
         EXPECT_EQ(get(target).kind, Kind::kBadRequest) << target;
     EXPECT_EQ(get("/" + std::string(600, 'a')).kind, Kind::kBadRequest);
     for (const char* method : {"POST", "PUT", "DELETE", "get", "", "OPTIONS", "TRACE", "CONNECT", "PROPFIND"})

@@ -46,7 +46,8 @@ TEST_F(ARoomModel, OfOurWorkshopHasItsWheelAndItsThings) {
 }
 
 TEST_F(ARoomModel, HasAWheelWhereANodeOrAMeshIsNamedSo) {
-    for (const char* name : {"wheel", "Wheel.001", "wheel_head", "wheelhead", "WheelHead", "WHEEL-2", "wheel head"})
+    for (const char* name :
+         {"wheel", "Wheel.001", "wheel_head", "wheelhead", "WheelHead", "WHEEL-2", "wheel head"})
         EXPECT_TRUE(load_room_model(sheet(name, 1.2F))->has_wheel) << name;
     for (const char* name : {"wheelchair", "Wheelbarrow", "my wheel", "whee", ""})
         EXPECT_FALSE(load_room_model(sheet(name, 1.2F))->has_wheel) << name;

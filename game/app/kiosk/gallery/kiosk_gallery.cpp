@@ -111,8 +111,8 @@ Result<void> Gallery::remove(const KeptPot& pot) {
     return files::take_away_folder(pot.folder);
 }
 
-// Deletes the oldest pots first, but never the new one. A day after today was recorded before the clock went back, so its pots
-// are older than all others.
+// Deletes the oldest pots first, but never the new one. A day after today was recorded before the clock went
+// back, so its pots are older than all others.
 void Gallery::make_room(const fs::path& newcomer, const std::string& today) {
     std::string trouble;
     std::vector<KeptPot> all = pots(&trouble);

@@ -282,7 +282,8 @@ void KioskKeeper::look_at_the_gallery() {
     std::error_code error;
     const bool is_there = std::filesystem::exists(gallery_.folder(), error);
     if (std::exchange(gallery_was_there_, is_there) && !is_there)
-        complain(gallery_.folder().string() + ": expected the folder of the pots, found none; the next pot begins a new one");
+        complain(gallery_.folder().string() +
+                 ": expected the folder of the pots, found none; the next pot begins a new one");
 }
 
 void KioskKeeper::answer_survey() {
@@ -378,8 +379,9 @@ void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
             jar_.forget();
             const std::string name = fmt::format("{}/pot-{:03}", day, *number);
             if (files::folder_sync_was_refused() && !std::exchange(has_said_unsynced_, true))
-                complain(gallery_.folder().string() + ": this file system does not sync folders; "
-                                                      "a power cut may lose the pots kept last");
+                complain(gallery_.folder().string() +
+                         ": this file system does not sync folders; "
+                         "a power cut may lose the pots kept last");
             answer({.what = KeeperAnswer::Saved{*number, name},
                     .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
         } else {
