@@ -1,5 +1,5 @@
-// What all ledges under the clay are made of: where their rows lie, steppers and tokens with a name below.
-// The composer's thread.
+// The parts of all ledges under the clay: rows, steppers, and tokens with a name below. The composer's
+// thread.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace onggi::screens {
 
-// What larger text has made the ledge higher by, for the caption's row and for the labels below the tokens.
+// The ledge's extra height with larger text, for the caption's row and the labels below the tokens.
 struct LedgeGrowth {
     float caption = 0.0F;
     float labels = 0.0F;
@@ -16,15 +16,15 @@ struct LedgeGrowth {
 [[nodiscard]] LedgeGrowth growth(const Page& page);
 
 [[nodiscard]] float ledge_top(const Page& page);
-// Of the names below one row.
+// The height of the names below one row.
 [[nodiscard]] float label_height(const Page& page);
-// Where the tokens' row begins; on a tall picture there is another below it.
+// The top of the tokens' row; a tall picture has a second row below it.
 [[nodiscard]] float row_y(const Page& page);
 [[nodiscard]] float second_row_y(const Page& page);
-// Words begin where the hand does.
+// Words are aligned to the hand's side.
 [[nodiscard]] ui::Align along_ledge(const Page& page);
 
-// What a stepper changes.
+// The setting that a stepper changes.
 struct Setting {
     Icon icon;
     const char* key;
@@ -37,13 +37,13 @@ struct Setting {
 [[nodiscard]] Setting water_setting(const kiosk::Throwing& throwing);
 [[nodiscard]] Setting speed_setting(const kiosk::Throwing& throwing);
 
-// `place` is of a ledge for the right hand, read from the left. `rests`: to be seen and not to be pressed.
+// `place` is for a right-handed, left-to-right ledge. `rests`: visible but disabled.
 void add_stepper(Page& page, const ui::Rect& place, const Setting& setting, bool rests);
-// A token with its name below, that wide at most; gives its target.
+// Adds a token with its name below, at most `label_width` wide; returns its target.
 int add_round(Page& page, const ui::Rect& place, Icon icon, kiosk::Button button, const char* key,
               float label_width, int value = 0);
 
-// One of several to choose from, or what is on or off.
+// One of several choices, or a switch.
 struct LedgeChoice {
     Icon icon;
     const char* key;
@@ -51,35 +51,35 @@ struct LedgeChoice {
     int value = 0;
     bool chosen = false;
 };
-// A token with its name below, that high and wider than it by `spread` to either side; what is chosen is
-// ticked and underlined.
+// Adds a token with its name below, `name_height` high and `spread` wider than the token on each side; the
+// chosen one is ticked and underlined.
 void add_choice(Page& page, const ui::Rect& place, const LedgeChoice& choice, float name_height,
                 float spread);
 
-// What the hand holds, with a sign that there is more: opens the tray.
+// The token of the tool in the hand, with a sign for more: opens the tray.
 void add_held_token(Page& page, const ui::Rect& place, float label_width);
-// The ledge turned over: what there is to hold, how large, and back.
+// The tool tray on the ledge: the tools, their size, and back.
 void add_tool_tray(Page& page);
-// What the step that is being done is called: below the steps and that wide, or from `beside` on to their
-// right.
+// The name of the current step: below the steps and `wide` u wide, or to their right from `beside`.
 void add_step_caption(Page& page, const std::string& text, float wide, float beside);
-// Above the ledge, where the token of languages is brought low; `tall_x`: its left edge on a tall picture.
+// The place of the languages' token above the ledge with low controls; `tall_x` is its left edge on a tall
+// picture.
 [[nodiscard]] ui::Rect low_languages(const Page& page, float tall_x = design::kMargin);
 // The four keys that move the hand.
 void add_hand_pad(Page& page);
-// A card as high as its words, or where that is too high, words as small as it takes; gives where it is.
+// Adds a card as high as its words; if that exceeds `most`, shrinks the words. Returns its place.
 ui::Rect add_paper(Page& page, const ui::Rect& most, const std::vector<Words>& lines);
-// The five steps of a jar of two bowls side by side, that far apart; current: the one that is being done, -1:
-// all lie ahead.
+// The five steps of a jar of two bowls side by side, `pitch` apart; `current` is the present step, -1 before
+// the first.
 void add_jar_pictograms(Page& page, vec2 at, float pitch, int current);
-// The same in the place of the lesson's, and what the one being done is called.
+// The same in place of the lesson's steps, with the current step's name.
 void add_jar_steps(Page& page);
 // The ledges while the first bowl is set aside, and while it stands on the second.
 void add_aside_ledge(Page& page);
 void add_join_ledge(Page& page);
-// What is told of the step, until the clay is touched.
+// The card that explains the step, until the clay is touched.
 void add_jar_card(Page& page);
-// The ledge while the wire is held: where it is to cut, and the cut.
+// The ledge while the wire is held: its height, and the cut.
 void add_wire_ledge(Page& page);
 
 }  // namespace onggi::screens
