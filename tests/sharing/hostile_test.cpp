@@ -56,7 +56,6 @@ TEST_F(HostileClients, GetRefusalsOrSilence) {
         "GET /" + code_ + ".part/" + head + "\r\n",
         "GET /" + std::string(5000, 'A') + head + "\r\n",
         "GET /" + std::string(100'000, 'A') + head + "\r\n",
-        "GET http://elsewhere/" + code_ + "/" + head + "\r\n",
         "GET * HTTP/1.1\r\nHost: pots\r\n\r\n",
         "POST /" + code_ + "/" + head + "Content-Length: 1000000000\r\n\r\nx",
         "PUT /" + code_ + "/pot.glb" + head + "Content-Length: 3\r\n\r\nbad",
@@ -91,6 +90,20 @@ TEST_F(HostileClients, GetRefusalsOrSilence) {
         EXPECT_EQ(answer.find("root:"), std::string::npos);
         EXPECT_EQ(answer.find("expires "), std::string::npos);
     }
+    expect_honest(served_, code_);
+}
+
+// A browser that tries https first asks again without it when it is turned away.
+TEST_F(HostileClients, ThatSpeakTlsAreClosedAtOnce) {
+    HttpClient client(served_.port(), 100);
+    const double begun_s = now_s();
+    client.say("\x16\x03\x01\x02");
+    bool closed = false;
+    EXPECT_TRUE(comes_true([&] {
+        EXPECT_EQ(client.rest(&closed), "");
+        return closed;
+    }));
+    EXPECT_LT(now_s() - begun_s, 5.0 * slowness()) << "a head may take ten seconds";
     expect_honest(served_, code_);
 }
 
@@ -167,6 +180,28 @@ TEST_F(HostileClients, ThatAreManyAndSilentMakeRoomForAnHonestOne) {
     for (std::uint32_t i = 0; i < 700; ++i)
         crowd.emplace_back(served_.port(), 100, 0x7f010101 + i * 256);
     expect_honest(served_, code_);
+}
+
+// The most connections of one address, each with a header that never ends, opened again when one is closed.
+TEST_F(HostileClients, WithManyOpenHeadersDoNotShutOutOthersOfTheirAddress) {
+    std::vector<HttpClient> open_heads;
+    const auto hold = [&] {
+        std::erase_if(open_heads, [](HttpClient& client) {
+            bool closed = false;
+            static_cast<void>(client.rest(&closed));
+            return closed;
+        });
+        while (open_heads.size() < 128) {
+            open_heads.emplace_back(served_.port(), 1);
+            static_cast<void>(open_heads.back().say("GET /" + code_ + "/ HTTP/1.1\r\nX: y\r\n"));
+        }
+    };
+    int served = 0;
+    for (int phone = 0; phone < 18; ++phone) {
+        hold();
+        served += get(served_.port(), "/" + code_ + "/pot.3mf").status == 200 ? 1 : 0;
+    }
+    EXPECT_GE(served, 17);
 }
 
 // More connections than one address may have. When the server looks, each has sent part of a request and

@@ -31,9 +31,10 @@ TEST(ShareProgram, RefusesInOneLineWhatItCannotServe) {
         std::string line;
     } kCases[] = {
         {{}, 2, "onggi: onggi share: expected --config, or --outbox and --listen, found neither\n"},
-        {{"--outbox", folder / "none", "--listen", "127.0.0.1"},
+        {{"--outbox", folder / "off.toml", "--listen", "127.0.0.1"},
          2,
-         "onggi: " + (folder / "none").string() + ": expected a folder of shared pots, found none\n"},
+         "onggi: " + (folder / "off.toml").string() +
+             ": expected a folder of shared pots, found something else\n"},
         {{"--outbox", box, "--listen", "127.0.0.1", "--port", port},
          3,
          "onggi: sharing: expected to listen at 127.0.0.1, port " + port +
@@ -61,6 +62,21 @@ TEST(ShareProgram, RefusesInOneLineWhatItCannotServe) {
         EXPECT_EQ(run.err, one.line);
         EXPECT_EQ(run.out, "");
     }
+}
+
+TEST(ShareProgram, WaitsForTheFolderThatTheKioskMakes) {
+    const TemporaryFolder folder;
+    const std::string box = (folder / "box").string();
+    RunningOnggi server({"share", "--outbox", box, "--listen", "127.0.0.1", "--port", "0"});
+    EXPECT_TRUE(
+        comes_true([&] { return server.printed().find("waiting for the folder") != std::string::npos; }));
+    std::filesystem::create_directory(box);
+    EXPECT_EQ(get(port_said_by(server), "/").status, 200);
+    RunningOnggi impatient({"share", "--outbox", box + "2", "--listen", "127.0.0.1", "--port", "0"});
+    EXPECT_TRUE(
+        comes_true([&] { return impatient.printed().find("waiting for the folder") != std::string::npos; }));
+    impatient.signal(SIGTERM);
+    EXPECT_EQ(impatient.exit_code(), 0);
 }
 
 // A server that waited for its clients would never end here.

@@ -23,6 +23,7 @@ struct ScriptedHid {
     bool is_plugged_in = true;
     bool read_fails = false;  // the first sign of a removal at a real port
     bool write_fails = false;
+    std::string refused;                          // writes that begin so ("0c 08") fail, the device stays
     std::deque<std::vector<std::uint8_t>> queue;  // reports not read yet
     std::vector<std::string> sent;                // "w 04 01", "s 11 01 00 00" and "g 12", in order
     // Answers by report id, used in order; the last one repeats. Empty: the device is gone.
@@ -57,7 +58,8 @@ class ScriptedPort final : public haptics::hid::HidPort {
         return size;
     }
     Result<void> write(std::span<const std::uint8_t> report) override {
-        if (script_->write_fails) return failed("write");
+        const bool is_refused = !script_->refused.empty() && as_hex(report).starts_with(script_->refused);
+        if (script_->write_fails || is_refused) return failed("write");
         script_->sent.push_back("w " + as_hex(report));
         return {};
     }

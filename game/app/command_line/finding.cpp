@@ -147,7 +147,12 @@ Finding probe_room(const std::string& room) {
     constexpr int kWidthPx = 1280;
     constexpr int kHeightPx = 720;
     const wheel::OpenedScene opened = wheel::open_scene(room, kWidthPx, kHeightPx);
-    if (opened.lack.empty()) return {.subject = "room", .found = fmt::format("the program's own, {}", room)};
+    if (opened.lack.empty()) {
+        return {.subject = "room",
+                .verdict = opened.note.empty() ? Verdict::kGood : Verdict::kNote,
+                .found = fmt::format("the museum's own, {}{}", room,
+                                     opened.note.empty() ? "" : "; not drawn: " + opened.note)};
+    }
     return {.subject = "room",
             .verdict = Verdict::kLacking,
             .found = opened.lack,

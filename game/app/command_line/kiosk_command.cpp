@@ -184,11 +184,18 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     note_end_signals(settings->rules.locked);
     take_kept_house(*settings);
     const jobs::CoreChoice core = leave_haptic_core();
-    StartKeeper starts(state_folder(settings->config.gallery.folder));
+    const std::filesystem::path state = state_folder(settings->config.gallery.folder);
+    GalleryLock lock;
+    if (auto taken = lock.take(state); !taken) return taken.error();
+    StartKeeper starts(state);
     const StartReport start_report = starts.begin_now(settings->remarks);
-    PictureNote picture(state_folder(settings->config.gallery.folder));
+    PictureNote picture(state);
     auto view = open_view(options, *settings, core, start_report.is_safe_mode, picture.read());
-    if (!view) return view.error();
+    if (!view) {
+        // No display, or no driver for it yet: that is the machine's, and no fall of the program's.
+        if (view.error().kind == ErrorKind::kSystemLacks) static_cast<void>(starts.end_now());
+        return view.error();
+    }
     leave_haptic_core_wholly(core);
     warn_of_lacks(*settings, **view);
 
@@ -263,6 +270,8 @@ void tell_of_end(const KioskOptions& options, int code) {
     if (code == 0) return;
     const auto settings = settings_of(options);
     if (!settings) return;  // the kiosk has printed the error
+    if (GalleryLock::other_at(state_folder(settings->config.gallery.folder)))
+        return;  // the status is the other kiosk's
     if (auto told = KioskHeartbeat(settings->config).end_after_fall(wall_clock_s()); !told)
         warn(told.error().message);
 }

@@ -3,10 +3,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "engine/core/quote.h"
@@ -72,15 +74,25 @@ void stand_back() {
     static_cast<void>(jobs::keep_this_thread_off_haptic_core(jobs::choose_haptic_core()));
 }
 
-Result<void> serve(const ShareOptions& options) {
+// The kiosk makes its outbox when it starts, which may be after this server.
+Result<void> wait_for_folder(const std::string& folder) {
     std::error_code error;
-    if (!std::filesystem::is_directory(options.outbox, error)) {
-        return bad_input(
-            fmt::format("{}: expected a folder of shared pots, found none", shown_path(options.outbox)));
-    }
+    if (!std::filesystem::exists(folder, error))
+        remark(fmt::format("sharing: {}: waiting for the folder of shared pots", shown_path(folder)));
+    while (!std::filesystem::exists(folder, error) && !end_was_asked())
+        std::this_thread::sleep_for(std::chrono::milliseconds(kRoundMs));
+    if (end_was_asked() || std::filesystem::is_directory(folder, error)) return {};
+    return bad_input(
+        fmt::format("{}: expected a folder of shared pots, found something else", shown_path(folder)));
+}
+
+Result<void> serve(const ShareOptions& options) {
     stand_back();
     std::signal(SIGPIPE, SIG_IGN);  // a phone may disconnect during an answer
     note_end_signals();
+    if (const auto there = wait_for_folder(options.outbox); !there) return there;
+    if (end_was_asked()) return {};
+    std::error_code error;
     const auto listening = listen_at(options.listen, options.port);
     if (!listening) return listening.error();
     const bool counts = !options.counter.empty() && std::filesystem::exists(options.counter, error);

@@ -62,7 +62,8 @@ void add_status_command(CLI::App& program, int& exit_status) {
     command->add_option("--gallery", options->gallery, "the folder of its pots, overriding the settings")
         ->type_name("FOLDER");
     command->footer(
-        "It reads the status file that the kiosk writes once a minute and sends no request to the kiosk, so it\n"
+        "It reads the status file that the kiosk writes once a minute and sends no request to the kiosk, so "
+        "it\n"
         "also works while the kiosk is down. Run it as root or as a user of the kiosk's group.\n"
         "Exit codes: 0 the kiosk runs and is well; 1 it does not run or is not well; 2 wrong settings or a "
         "damaged\nfile; 3 its files may not be read.");

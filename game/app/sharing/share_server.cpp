@@ -200,6 +200,15 @@ bool has_gone(int socket) {
     return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
 }
 
+// Whether the other side begins with a TLS handshake (RFC 8446, 5.1): a browser that tries https first goes
+// on to http as soon as it is closed. The listening socket hands connections over with their first bytes
+// (TCP_DEFER_ACCEPT).
+bool speaks_tls(int socket) {
+    constexpr char kHandshake = 0x16;
+    char first = 0;
+    return ::recv(socket, &first, 1, MSG_PEEK | MSG_DONTWAIT) == 1 && first == kHandshake;
+}
+
 std::string_view view_of(const char* text) {
     return text == nullptr ? std::string_view() : std::string_view(text);
 }
@@ -254,7 +263,7 @@ class MicroServer final : public ShareServer {
         const double now_s = options_.now_s();
         if (now_s < next_sweep_s_) return;
         next_sweep_s_ = now_s + kSweepS;
-        deadlines_.sweep(now_s, has_gone, [](int socket) { ::shutdown(socket, SHUT_RDWR); });
+        deadlines_.sweep(now_s, has_gone, &MicroServer::cut);
     }
 
     [[nodiscard]] std::size_t connections() const override { return deadlines_.size(); }
@@ -264,6 +273,8 @@ class MicroServer final : public ShareServer {
         std::string target;  // as received
         bool is_known = false;
     };
+
+    static void cut(int socket) { ::shutdown(socket, SHUT_RDWR); }
 
     static std::size_t leave_as_it_is(void*, MHD_Connection*, char* text) { return std::strlen(text); }
 
@@ -285,8 +296,10 @@ class MicroServer final : public ShareServer {
         auto& deadlines = static_cast<MicroServer*>(self)->deadlines_;
         if (what == MHD_CONNECTION_NOTIFY_STARTED) {
             const auto* const info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
+            if (speaks_tls(info->connect_fd)) cut(info->connect_fd);
             const double now_s = static_cast<MicroServer*>(self)->options_.now_s();
-            *context = new Deadlines::Handle(deadlines.add(info->connect_fd, now_s));  // NOLINT
+            *context = new Deadlines::Handle(  // NOLINT
+                deadlines.add(info->connect_fd, address_of(connection), now_s, &MicroServer::cut));
         } else if (*context != nullptr) {
             auto* const handle = static_cast<Deadlines::Handle*>(*context);
             deadlines.remove(*handle);

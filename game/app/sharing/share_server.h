@@ -18,9 +18,13 @@ namespace onggi::app {
 // sooner when there are many connections, and one that disconnects before its request at once. The caller
 // passes the time. Any one thread.
 struct DeadlineRules {
-    double head_s = 10.0;           // for a whole request header, and for silence
-    double crowded_head_s = 1.0;    // the same in a crowd
-    std::size_t crowd = 384;        // connections that make a crowd
+    double head_s = 10.0;         // for a whole request header, and for silence
+    double crowded_head_s = 1.0;  // the same in a crowd
+    std::size_t crowd = 384;      // connections that make a crowd
+    // Connections without a whole request. A new one beyond these replaces the oldest, so that open headers
+    // keep no other phone out, whether it has the same address or not.
+    std::size_t most_heads_an_address = 96;
+    std::size_t most_heads = 448;
     double answer_s = 20.0;         // for an answer, plus
     double bytes_per_s = 16'384.0;  // its transfer time at this rate
 };
@@ -29,6 +33,7 @@ class Deadlines {
   public:
     struct Connection {
         int socket = -1;
+        sharing::AddressKey address{};
         double since_s = 0.0;  // start of the present state
         double until_s = 0.0;
         bool is_answered = false;  // the answer is being sent
@@ -38,8 +43,14 @@ class Deadlines {
 
     explicit Deadlines(const DeadlineRules& rules = {}) : rules_(rules) {}
 
-    [[nodiscard]] Handle add(int socket, double now_s) {
-        const Handle added = connections_.insert(connections_.end(), Connection{.socket = socket});
+    // Calls cut(socket) for each whose place the newcomer takes.
+    template <typename Cut>
+    [[nodiscard]] Handle add(int socket, const sharing::AddressKey& address, double now_s, Cut cut) {
+        make_room([&](const Connection& other) { return other.address == address; },
+                  rules_.most_heads_an_address, cut);
+        make_room([](const Connection&) { return true; }, rules_.most_heads, cut);
+        const Handle added =
+            connections_.insert(connections_.end(), Connection{.socket = socket, .address = address});
         has_answered(added, now_s);
         return added;
     }
@@ -73,6 +84,21 @@ class Deadlines {
     }
 
   private:
+    // Leaves room for one more among those that `counts` takes.
+    template <typename Counts, typename Cut>
+    void make_room(Counts counts, std::size_t most, Cut cut) {
+        std::size_t heads = 0;
+        Connection* oldest = nullptr;
+        for (Connection& connection : connections_) {
+            if (connection.is_answered || connection.is_cut || !counts(connection)) continue;
+            ++heads;
+            if (oldest == nullptr || connection.since_s < oldest->since_s) oldest = &connection;
+        }
+        if (heads < most || oldest == nullptr) return;
+        oldest->is_cut = true;
+        cut(oldest->socket);
+    }
+
     DeadlineRules rules_;
     std::list<Connection> connections_;
 };

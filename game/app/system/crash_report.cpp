@@ -13,7 +13,9 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -48,7 +50,9 @@ std::atomic_flag is_reporting = ATOMIC_FLAG_INIT;
 // One line, truncated to its buffer and written by one call, so that lines of several processes do not mix.
 class Line {
   public:
-    explicit Line(bool for_journal) { *this << (for_journal ? kCritical : "") << "onggi: crash: "; }
+    explicit Line(bool for_journal, const char* begins = "onggi: crash: ") {
+        *this << (for_journal ? kCritical : "") << begins;
+    }
     Line& operator<<(const char* text) {
         while (*text != '\0' && size_ + 1 < bytes_.size())
             bytes_[size_++] = *text++;
@@ -139,23 +143,43 @@ void report_and_die(int signal, siginfo_t* info, void* context) {
     ::raise(signal);
 }
 
+// A machine without memory for it is no crash of the program's: one line, and the exit code of what the
+// system lacks. Called where no thread and no start catches what it throws.
+[[noreturn]] void end_without_memory_or_crash() noexcept {
+    try {
+        if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        std::array<char, 17> thread{};
+        ::prctl(PR_GET_NAME, thread.data());
+        (Line(for_journal, "onggi: ")
+         << "expected memory for the thread " << thread.data() << ", found none left")
+            .write();
+        ::_exit(exit_code(ErrorKind::kSystemLacks));
+    } catch (...) {  // NOLINT: the signal below tells of it
+    }
+    std::abort();
+}
+
 void copy(std::array<char, PATH_MAX>& into, const std::string& text) {
     into = {};
     if (text.size() < into.size()) std::memcpy(into.data(), text.data(), text.size());
 }
 
-// The first unused name, or that of the oldest file.
+// The first unused name, or that of the oldest file. A file dated after now was written before the clock went
+// back.
 fs::path place_in(const fs::path& folder) {
     fs::path oldest;
-    fs::file_time_type written{};
+    const fs::file_time_type now = fs::file_time_type::clock::now();
+    std::pair<bool, fs::file_time_type> written{};
     for (int number = 1; number <= kMostCrashes; ++number) {
         fs::path place = folder / fmt::format("crash-{}.onggi", number);
         std::error_code error;
         const fs::file_time_type at = fs::last_write_time(place, error);
         if (error) return place;
-        if (!oldest.empty() && at >= written) continue;
+        const std::pair<bool, fs::file_time_type> age{at <= now, at};
+        if (!oldest.empty() && age >= written) continue;
         oldest = std::move(place);
-        written = at;
+        written = age;
     }
     return oldest;
 }
@@ -175,6 +199,7 @@ void report_crashes() {
     // After a stack overflow, the handler needs its own stack.
     const stack_t apart{.ss_sp = handler_stack.data(), .ss_flags = 0, .ss_size = handler_stack.size()};
     ::sigaltstack(&apart, nullptr);
+    std::set_terminate(&end_without_memory_or_crash);
     struct sigaction action {};
     action.sa_sigaction = &report_and_die;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;

@@ -12,8 +12,9 @@
 namespace onggi::app {
 
 // From now on SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT are reported before they end the program, one line
-// per event, with async-signal-safe functions. An existing handler, such as a sanitizer's, stays. Main
-// thread, before other threads start and before a supervisor's fork.
+// per event, with async-signal-safe functions. An existing handler, such as a sanitizer's, stays. An
+// allocation failure that nothing catches ends the program with one line and exit code 3. Main thread, before
+// other threads start and before a supervisor's fork.
 void report_crashes();
 
 // Any one thread at a time: a crash from now on belongs to the session that is being written at `session`;

@@ -2,8 +2,11 @@
 // simple picture. One small file, written atomically. Main thread.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +63,24 @@ class StartKeeper {
 
     std::filesystem::path file_;
     StartLog log_;
+};
+
+// One kiosk at a gallery: a lock on FOLDER/lock, which the kernel lets go when the process ends, however it
+// ends. Held by the process alone, not by its children. Main thread.
+class GalleryLock {
+  public:
+    GalleryLock() = default;
+    GalleryLock(const GalleryLock&) = delete;
+    GalleryLock& operator=(const GalleryLock&) = delete;
+    ~GalleryLock();
+
+    // System lacks: another process has it. Where the file system takes no lock or no file, there is none.
+    Result<void> take(const std::filesystem::path& folder);
+    // The other process that has it. Not to be asked by the one that has it: asking lets it go.
+    [[nodiscard]] static std::optional<pid_t> other_at(const std::filesystem::path& folder);
+
+  private:
+    int descriptor_ = -1;
 };
 
 }  // namespace onggi::app

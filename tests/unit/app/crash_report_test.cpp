@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>  // NOLINT: SIGSEGV's handler is set by POSIX's own
+#include <sys/prctl.h>
+
+#include <new>
+#include <thread>
 
 namespace onggi::app {
 namespace {
@@ -24,6 +28,19 @@ TEST(CrashReport, SaysWhoCalledAFunctionThatIsNotThere) {
                 "crash: SIGSEGV at 0x0 in thread .*\n"
                 ".*crash: a missing function was called from\n"
                 ".*unit_app\\(.*\\) ?\\[0x[0-9a-f]+\\]\n");
+}
+
+TEST(CrashReport, SaysInOneLineThatAThreadFoundNoMemory) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto allocate = [] {
+        report_crashes();
+        std::thread([] {
+            ::prctl(PR_SET_NAME, "keeper");
+            throw std::bad_alloc();
+        }).join();
+    };
+    EXPECT_EXIT(allocate(), testing::ExitedWithCode(3),
+                "^(<2>)?onggi: expected memory for the thread keeper, found none left\n$");
 }
 
 }  // namespace

@@ -134,6 +134,17 @@ TEST_F(GalleryTest, KeepsTheNewcomerHoweverWrongTheClockIs) {
     EXPECT_EQ(names_of(gallery), std::vector<std::string>{"1970-01-01/pot-001"});
 }
 
+TEST_F(GalleryTest, LetsTheOldestGoUnderAClockThatHasGoneBackToo) {
+    for (const char* name : {"2026-11-20/pot-001", "2026-11-21/pot-001", "2026-11-21/pot-002"})
+        put_pot(folder_.path(), name);
+    Gallery gallery = gallery_of(3);
+    const Cut cut;
+    for (int pot = 0; pot < 2; ++pot)
+        ASSERT_TRUE(gallery.keep(cut.pot(), "1970-01-01"));
+    EXPECT_EQ(names_of(gallery),
+              (std::vector<std::string>{"2026-11-21/pot-002", "1970-01-01/pot-002", "1970-01-01/pot-001"}));
+}
+
 TEST_F(GalleryTest, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
     Cut cut;
     haptic::TickRecord late;
@@ -253,6 +264,20 @@ TEST_F(KeeperTest, DeletesNothingThatIsNoPotOfTheGallery) {
         EXPECT_EQ(survey->pots.size(), 1U);
     }
     EXPECT_TRUE(fs::exists(folder.path() / "precious/pot.glb"));
+}
+
+TEST_F(KeeperTest, SaysThatTheGalleryWasTakenAway) {
+    put_pot(folder.path(), "2026-11-22/pot-001");
+    keeper.survey();
+    ASSERT_TRUE(this->survey());
+    fs::remove_all(folder.path());
+    keeper.survey();
+    const auto said = answer<KeeperAnswer::Remark>();
+    ASSERT_NE(said, nullptr);
+    EXPECT_EQ(said->words,
+              folder.path().string() +
+                  ": expected the folder of the pots, found none; the next pot begins a new one");
+    EXPECT_TRUE(said->is_trouble);
 }
 
 TEST_F(KeeperTest, CountsAndRemembersBesideTheFrame) {

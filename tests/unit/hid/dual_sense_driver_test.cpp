@@ -200,6 +200,19 @@ TEST_F(DualSenseDriverTest, SaysNothingTwiceAndNothingTooOften) {
     EXPECT_FALSE(told(order, 70 * kMs).empty());
 }
 
+TEST_F(DualSenseDriverTest, MovesTheToolAlthoughThePadRefusesToBeTold) {
+    script->write_fails = true;
+    ASSERT_TRUE(driver.start({}, port));
+    driver.take_report(report_with({{1, 255}}), 0);
+    EXPECT_TRUE(driver.send(port, {.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 1}, 20 * kMs));
+    EXPECT_GT(driver.input(0).rate_mm_s.x, 0.0);
+    script->write_fails = false;
+    EXPECT_FALSE(told({.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 2}, 40 * kMs).empty());
+    script->is_plugged_in = false;
+    script->write_fails = true;
+    EXPECT_FALSE(driver.send(port, {.force_n = {2.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 3}, 60 * kMs));
+}
+
 TEST_F(DualSenseDriverTest, LeavesThePadLooseStillAndDark) {
     script->take_sent();
     driver.stop(port);

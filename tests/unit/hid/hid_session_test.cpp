@@ -280,6 +280,49 @@ TEST_F(HidSessionTest, TakesTheNextDeviceIfTheFirstFails) {
     EXPECT_EQ(script->open_ports, 0);
 }
 
+// A receiver for several pucks shows a node for each: the one that a hand moves is wanted.
+TEST(HidSessionOfSeveralNodes, GoesOverToTheFirstThatSaysSomething) {
+    class TwoNodes final : public HidBus {
+      public:
+        explicit TwoNodes(std::vector<std::shared_ptr<ScriptedHid>> nodes) : nodes_(std::move(nodes)) {}
+        Result<std::vector<HidDeviceInfo>> list() override {
+            return std::vector<HidDeviceInfo>{nodes_[0]->info, nodes_[1]->info};
+        }
+        Result<std::unique_ptr<HidPort>> open(const HidDeviceInfo& info) override {
+            const auto& node = info.path == nodes_[0]->info.path ? nodes_[0] : nodes_[1];
+            return std::unique_ptr<HidPort>(std::make_unique<testing::ScriptedPort>(node));
+        }
+
+      private:
+        std::vector<std::shared_ptr<ScriptedHid>> nodes_;
+    };
+    std::vector<std::shared_ptr<ScriptedHid>> nodes{std::make_shared<ScriptedHid>(),
+                                                    std::make_shared<ScriptedHid>()};
+    nodes[0]->info = {.path = "/dev/hidraw1", .may_open = true, .kind = HidKind::kSpaceMouse};
+    nodes[1]->info = {.path = "/dev/hidraw2", .may_open = true, .kind = HidKind::kSpaceMouse};
+    HidLink link;
+    HidSession session(link, std::make_unique<TwoNodes>(nodes), std::make_unique<SpaceMouseDriver>(),
+                       {.kind = HidKind::kSpaceMouse, .force = {}});
+    std::int64_t now_ns = 0;
+    const auto listen = [&] {
+        for (int round = 0; round < 60; ++round, now_ns += 4 * kMs)
+            static_cast<void>(session.round(now_ns));
+    };
+    listen();
+    EXPECT_EQ(link.status.latest().path, "/dev/hidraw1");
+    EXPECT_EQ(nodes[1]->open_ports, 1);
+    nodes[1]->report("01 5e 01 00 00 00 00");
+    listen();
+    EXPECT_EQ(link.status.latest().path, "/dev/hidraw2");
+    EXPECT_EQ(nodes[0]->open_ports, 0);
+    nodes[1]->report("01 5e 01 00 00 00 00");
+    static_cast<void>(session.round(now_ns));
+    EXPECT_GT(link.input.latest().rate_mm_s.x, 0.0);
+    nodes[0]->report("01 5e 01 00 00 00 00");
+    listen();
+    EXPECT_EQ(link.status.latest().path, "/dev/hidraw2") << "who has it keeps it";
+}
+
 TEST_F(HidSessionTest, CountsARoundAsRefreshedOnlyWhenTheDriverSaysSo) {
     step();
     script->report("01 10");

@@ -123,6 +123,28 @@ TEST_F(OutboxUnderAnyClock, KeepsTheNewestWhenTheClockStepsBackAnHour) {
     EXPECT_TRUE(is_served(code, kNoonS - kHourS)) << "who has just been shown a code finds a pot there";
 }
 
+TEST_F(OutboxUnderAnyClock, MakesRoomByAgeUnderAClockThatHasGoneBackToo) {
+    const std::string oldest = put(kNoonS);
+    const std::string older = put(kNoonS + 1);
+    put(kNoonS + 2);
+    const std::string first = put(60);  // 1970, after a power cut
+    const std::string second = put(120);
+    EXPECT_FALSE(is_served(oldest, 180));
+    EXPECT_FALSE(is_served(older, 180));
+    EXPECT_TRUE(is_served(first, 180)) << "a newcomer takes no newcomer's place";
+    EXPECT_TRUE(is_served(second, 180));
+}
+
+TEST_F(OutboxUnderAnyClock, KeepsAPageForItsTimeWhoseClockWasNotSet) {
+    const std::string code = put(60);
+    EXPECT_TRUE(is_served(code, kNoonS)) << "the network has told the time, nobody has looked yet";
+    ASSERT_TRUE(outbox_.expire(kNoonS));
+    EXPECT_TRUE(is_served(code, kNoonS + 5 * kHourS));
+    EXPECT_FALSE(is_served(code, kNoonS + 7 * kHourS));
+    ASSERT_TRUE(outbox_.expire(kNoonS + 7 * kHourS));
+    EXPECT_TRUE(outbox_.list()->empty());
+}
+
 TEST_F(OutboxUnderAnyClock, GoesOnAfter2038) {
     constexpr std::int64_t kSecondsOf32Bits = 2'147'483'647;
     const std::string code = put(kSecondsOf32Bits - 60);

@@ -81,5 +81,25 @@ TEST_F(AScreen, WaitsBeforeItTakesAFingerForAHandThatLies) {
     EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down");
 }
 
+TEST(PointerArrow, IsShownWhileAMouseIsMovedAndForNothingElse) {
+    PointerArrow arrow(false);
+    EXPECT_FALSE(arrow.is_shown(0.0)) << "a touch kiosk has none from the start";
+    arrow.moved(640.0, 360.0, 1.0);
+    EXPECT_FALSE(arrow.is_shown(1.0)) << "the display server has put it there";
+    for (int shake = 0; shake < 50; ++shake)
+        arrow.moved(640.0 + shake % 2 * 9.0, 360.0, 2.0 + 0.02 * shake);
+    EXPECT_FALSE(arrow.is_shown(3.0)) << "somebody bumped into the desk";
+    for (int step = 0; step < 5; ++step)
+        arrow.moved(640.0 + 10.0 * step, 360.0, 5.0 + 0.01 * step);
+    EXPECT_TRUE(arrow.is_shown(5.1));
+    EXPECT_TRUE(arrow.is_shown(20.0));
+    EXPECT_FALSE(arrow.is_shown(30.0)) << "left alone";
+    for (int step = 0; step < 5; ++step)
+        arrow.moved(640.0 - 10.0 * step, 360.0, 40.0 + 0.01 * step);
+    EXPECT_TRUE(arrow.is_shown(40.1));
+    arrow.touched();
+    EXPECT_FALSE(arrow.is_shown(40.2));
+}
+
 }  // namespace
 }  // namespace onggi::window

@@ -111,12 +111,15 @@ Result<void> Gallery::remove(const KeptPot& pot) {
     return files::take_away_folder(pot.folder);
 }
 
-// Deletes the oldest pots first, but never the new one, whose day may be wrong with the machine's clock.
-void Gallery::make_room(const fs::path& newcomer) {
+// Deletes the oldest pots first, but never the new one. A day after today was recorded before the clock went
+// back, so its pots are older than all others.
+void Gallery::make_room(const fs::path& newcomer, const std::string& today) {
     std::string trouble;
     std::vector<KeptPot> all = pots(&trouble);
     if (!trouble.empty()) return;  // the oldest ones are unknown
     std::erase_if(all, [&](const KeptPot& pot) { return pot.folder == newcomer; });
+    std::stable_partition(all.begin(), all.end(),
+                          [&](const KeptPot& pot) { return pot.folder.parent_path().filename() <= today; });
     while (all.size() >= static_cast<std::size_t>(most_pots_)) {
         static_cast<void>(remove(all.back()));
         all.pop_back();
@@ -178,7 +181,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();
-    make_room(place);  // only now: a pot that cannot be kept deletes no other
+    make_room(place, today);  // only now: a pot that cannot be kept deletes no other
     return number;
 }
 

@@ -64,7 +64,7 @@ class Gallery {
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   private:
-    void make_room(const std::filesystem::path& newcomer);
+    void make_room(const std::filesystem::path& newcomer, const std::string& today);
 
     std::filesystem::path folder_;
     int most_pots_;

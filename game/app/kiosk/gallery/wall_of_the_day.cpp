@@ -10,7 +10,9 @@
 
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/finish/glaze.h"
+#include "game/sharing/kept_note.h"
 
 namespace onggi::app {
 namespace {
@@ -78,7 +80,8 @@ Result<void> WallOfTheDay::open(const std::string& today) {
                 fmt::format("{}: expected a wall of format {}, found {}", file_.string(), kFormat, format));
         }
         day_on_disk_ = wall.at("day").get<std::string>();
-        if (day_on_disk_ == today) pots_ = pots_of(wall.at("pots"));
+        if (today < day_of(sharing::kClockIsSetS)) day_ = std::max(today, day_on_disk_);
+        if (day_on_disk_ == day_) pots_ = pots_of(wall.at("pots"));
     } catch (const json::exception& error) {
         return bad_input(
             fmt::format("{}: expected the pots of a wall, found: {}", file_.string(), error.what()));

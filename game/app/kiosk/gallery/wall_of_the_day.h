@@ -25,8 +25,9 @@ class WallOfTheDay {
 
     explicit WallOfTheDay(std::filesystem::path file) : file_(std::move(file)) {}
 
-    // Reads that day's wall from the disk; the wall is empty if the file is of another day. Bad input: the
-    // file is damaged; the wall is then empty, and the next put() replaces the file.
+    // Reads that day's wall from the disk; the wall is empty if the file is of another day. Until the
+    // machine's clock is set, the day on the disk continues. Bad input: the file is damaged; the wall is then
+    // empty, and the next put() replaces the file.
     Result<void> open(const std::string& today);
     // Switches to another day of the machine's clock, which may have gone forwards or back, and reads that
     // day's wall from the disk. Deletes a past day's file, but keeps a future day's, because the clock may be
