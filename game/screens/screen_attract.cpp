@@ -1,5 +1,5 @@
-// Attract: the wheel throws automatically, and every language invites the visitor to begin. Choose: all pots
-// on one shelf at one scale.
+// Attract: the wheel throws by itself, and each language says in its own words that one may begin. Choose:
+// all pots on one shelf at one scale.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ using ui::Rect;
 
 constexpr ui::Colour kClear = design::kNight.with_alpha(0.0F);
 
-// "Touch to begin" in every language at equal size, in the configuration's order. The text is already large
-// and ignores the previous visitor's text size.
+// What waits for the next visitor is large already, whatever the one before wished: it keeps its size.
+// "Touch to begin" in every language at equal size, in the configuration's order.
 void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) {
     const int count = static_cast<int>(page.view().languages->size());
     for (int place = 0; place < count; ++place) {
@@ -46,7 +46,7 @@ void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) 
     }
 }
 
-// Says that the wheel shows a demonstration, in one language at a time for lack of room.
+// That nobody's pot is being made: there is room for one language at a time, so each has its turn.
 void wheel_shows(Page& page, const Rect& rect) {
     const int place = page.view().attract_turn % static_cast<int>(page.view().languages->size());
     page.words(rect, {.text = page.language(place).shown("attract.auto"),
@@ -56,7 +56,7 @@ void wheel_shows(Page& page, const Rect& rect) {
                       .language = place});
 }
 
-// Its name, date, origin and height in one language.
+// What it is, when and where from, and how high, in one language.
 void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int language) {
     const kiosk::Language& tongue = page.language(language);
     const float name =
@@ -74,7 +74,7 @@ void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int la
                                                                                .language = language});
 }
 
-// In as many languages side by side as fit; in a narrow picture one after the other.
+// In every language side by side, as far as there is room; in a narrow picture one after the other.
 void heritage_labels(Page& page, const Exhibit& exhibit, float y) {
     constexpr float kHigh = 104.0F;
     constexpr float kGap = 16.0F;
@@ -183,7 +183,7 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     lines.push_back({.text = choice.size, .type = design::bold(26.0F, 34.0F), .colour = design::kInk});
     std::erase_if(lines, [](const Words& words) { return words.text.empty(); });
     FittedLines fitted = page.fitted(std::move(lines), {inner.width, inner.height - 8.0F});
-    // The size is always at the card's foot.
+    // A size stands at the card's foot, whatever is above it.
     if (choice.exhibit != nullptr) {
         const float room = fitted.heights.back();
         page.fixed_words({inner.x, inner.bottom() - room, inner.width, room + 2.0F}, fitted.lines.back());
@@ -195,7 +195,7 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
 constexpr float kAboutSide = design::kLeastTarget;
 constexpr float kAboutRoom = kAboutSide + 10.0F;
 
-// Adds the button that opens the pot's card.
+// Opens the pot's own card.
 void about(Page& page, const Rect& rect, const Choice& choice, int index) {
     if (choice.exhibit == nullptr || !choice.exhibit->card) return;
     page.token(rect, Look::kToken, kiosk::Button::kCard, page.t("card.about"), index - 1, Icon::kAbout,
@@ -211,7 +211,7 @@ std::vector<Choice> all_choices(const Page& page) {
     return choices;
 }
 
-// The choices that fit side by side, all at one scale.
+// As many of the choices as have room beside each other, all at one scale.
 struct ShownChoices {
     std::vector<Choice> all;
     int count = 0;
@@ -222,7 +222,7 @@ struct ShownChoices {
     [[nodiscard]] const Choice& at(int place) const { return all[static_cast<std::size_t>(first + place)]; }
 };
 
-// Returns the pot's touch target, which is large enough even for a flat bowl.
+// Gives where a finger finds it, however flat a bowl is.
 Rect choice_pot(Page& page, const Choice& choice, float scale, vec2 foot) {
     const bool free = choice.exhibit == nullptr;
     const Rect rect =
@@ -270,7 +270,7 @@ void choices_on_shelf(Page& page, const ShownChoices& shown) {
         const Rect touched = choice_pot(page, shown.at(i), shown.scale, {card.centre().x, shelf_y + 9.0F});
         draw_card(page, card, shown.at(i), shown.first + i);
         page.also_touched_at(touched);
-        // On the shelf beside its pot, or below its card with low controls.
+        // On the shelf beside its pot, or brought low below its card.
         const float about_y = page.is_low() ? card.bottom() + 8.0F : shelf_y - kAboutSide - 2.0F;
         about(page, {card.right() - kAboutSide, about_y, kAboutSide, kAboutSide}, shown.at(i),
               shown.first + i);
@@ -288,7 +288,7 @@ void paging_tokens(Page& page, const ShownChoices& shown, float y) {
                rtl ? Icon::kLeft : Icon::kRight, false);
 }
 
-// The scale bar with its text; makes room for the languages' token with low controls.
+// The scale, drawn and in words; where the token of languages is brought low, it makes room.
 void scale_bar(Page& page, const ShownChoices& shown, float foot_y) {
     const bool tall = page.is_tall();
     const bool is_on_top = tall && page.is_low();
@@ -328,9 +328,9 @@ void draw_choose(Page& page) {
                {.text = page.t("choose.title"), .type = design::kTitle, .colour = design::kSlip});
     const float foot_y = height - 77.0F;
     page.languages_token({width - 182.0F, foot_y, 150.0F, 60.0F});
-    // A tall screen has its cards in rows, except with low controls.
+    // Brought low, a tall screen has its cards side by side, as the others always have.
     const bool in_rows = page.is_tall() && !page.is_low();
-    // Shows fewer choices with the largest text or low controls, and buttons to the others.
+    // Fewer with the largest text or brought low, and a way to the others.
     const bool is_narrow = page.is_square() || page.text_scale() > 1.9F || page.is_low();
     const int all = static_cast<int>(shown.all.size());
     shown.count = std::min(all, is_narrow ? 3 : 4);

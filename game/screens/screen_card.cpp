@@ -1,5 +1,5 @@
-// The card of a museum's pot: its use, its making and what to look for, each with the kind of evidence, and
-// the source.
+// What is told of a museum's pot on request: what it was for, how it was made, what to look for; each with
+// how it is known, and where from.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string joined(std::initializer_list<std::string> parts) {
     return all;
 }
 
-// From the top: the pot's name, place and date, the three lines with their headings, the source.
+// From above: the pot's name, where and when, the three lines with their heads, the source.
 std::vector<Words> lines_of(const Page& page, const Exhibit& exhibit) {
     constexpr std::array kHeads{"card.use", "card.making", "card.look"};
     constexpr std::array kKnownBy{"card.record", "card.kind", "card.general"};
@@ -61,7 +61,7 @@ void draw_card_panel(Page& page) {
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
-    // On squarer pictures the words get more of the width.
+    // A squarer picture leaves the words more of its width.
     const float left = page.by_shape(0.34F, 0.26F, 1.0F);
     const float foot_y = height - 96.0F;
     const float shelf_y = tall ? 300.0F : foot_y - 50.0F;
@@ -82,7 +82,7 @@ void draw_card_panel(Page& page) {
         page.fitted_words(inner, page.fitted(lines_of(page, *exhibit), {inner.width, inner.height}, 2.0F));
     }
     page.back_token(page.mirrored({32.0F, foot_y + 8.0F, 190.0F, 70.0F}), kiosk::Button::kCardClose);
-    if (view.state.card == kiosk::kRelativesCard) return;  // a pot is already shown
+    if (view.state.card == kiosk::kRelativesCard) return;  // a pot is being looked at already
     page.token(page.mirrored({width - 332.0F, foot_y + 2.0F, 300.0F, 76.0F}), Look::kPrimary,
                kiosk::Button::kCardThrow, page.t("card.throw"));
 }

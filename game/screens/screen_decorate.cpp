@@ -1,5 +1,5 @@
-// Decorating: the dry pot on the slowly turning or resting wheel, with the drawing tools on the ledge and a
-// card for each technique. The renderer draws the decoration.
+// Decorating: the pot, dry, on the slowly turning or resting wheel; what to draw with stands on the ledge.
+// What is drawn, the renderer draws; a card says of each way what it is.
 #include <algorithm>
 #include <array>
 
@@ -16,7 +16,7 @@ struct DrawingChoice {
     Icon icon;
     const char* key;
 };
-// Its card: a name and a sentence.
+// Its card: what it is called, and a sentence.
 struct WayWords {
     const char* title;
     const char* line;
@@ -40,10 +40,10 @@ constexpr std::array<DrawingChoice, kiosk::kMotifs> kMotifChoices{{{Icon::kCrane
                                                                    {Icon::kGrass, "mo.grass"},
                                                                    {Icon::kWave, "mo.wave"}}};
 
-// The layout of the ledge for each shape of picture.
+// Where things stand on the ledge, for each shape of picture.
 struct LedgePlaces {
     std::array<Rect, 6> choices;
-    std::array<Rect, 2> slips;  // in place of the size, like the next two
+    std::array<Rect, 2> slips;  // in the place of the size, as are the next two
     Rect around;
     Rect back;
     Rect size;
@@ -119,7 +119,7 @@ void choice_token(Page& page, const Rect& place, float label, const DrawingChoic
                label, spread);
 }
 
-// The card of the technique, until it is used.
+// What the way of drawing is, until something is drawn so.
 void way_card(Page& page) {
     const kiosk::Decorating& decorating = page.view().state.decorating;
     if (decorating.touched) return;
@@ -135,7 +135,7 @@ void way_card(Page& page) {
     add_paper(page, page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide, most}), lines);
 }
 
-// Keys for visitors who cannot point at the pot: they move a dot up, down and round, and press the brush.
+// For who cannot point at the pot: a dot that goes up, down and round, and the brush.
 void brush_pad(Page& page, float top) {
     const float edge = page.is_tall() ? 24.0F : 32.0F;
     const Rect pad = page.mirrored({page.width() - edge - 264.0F, top - 172.0F, 264.0F, 164.0F});
@@ -215,7 +215,7 @@ void draw_decorate(Page& page) {
     const bool is_plain = decorating.strokes == 0;
     page.token(page.on_ledge(places.done), Look::kPrimary, Button::kDone,
                page.t(is_plain ? "dec.plain" : "dec.done"));
-    // With low controls, opposite the brush's keys.
+    // Brought low, across from the brush's keys.
     static_cast<void>(page.languages_token(low_languages(page)));
 }
 

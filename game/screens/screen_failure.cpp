@@ -1,4 +1,4 @@
-// The pot has collapsed: it stays visible, turning, with three choices.
+// The pot has sunk: it stays in sight, turning, and there are three ways on.
 #include <algorithm>
 
 #include "game/screens/screens.h"
@@ -28,7 +28,7 @@ void draw_failure(Page& page) {
     const float width = page.width();
     const auto night = [](float alpha) { return design::kNight.with_alpha(alpha); };
     page.scene_ends();
-    // Higher for larger text, so that the title leaves room for the second line.
+    // Deeper for larger text, so that the title does not take the second line's room.
     const float deep = 128.0F + 24.0F * static_cast<float>(page.view().state.comfort.text_size - 1);
     page.down({0.0F, 0.0F, width, deep}, night(0.93F), night(0.88F));
     page.down({0.0F, deep, width, 92.0F}, night(0.88F), night(0.0F));

@@ -1,4 +1,4 @@
-// Taking the pot home by phone: a card with the code, or with the reason for waiting.
+// The way home by phone: a card with the code, or with what keeps it waiting.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,20 +17,20 @@ using ui::Align;
 using ui::Rect;
 
 constexpr float kCodeSide = 248.0F;
-// A camera at arm's length needs a code of this width (a tenth of the distance), with a quiet zone of four
-// modules (ISO/IEC 18004).
+// A camera at arm's length wants a code of this width (a tenth of the distance), and four modules of paper
+// around it (ISO/IEC 18004).
 constexpr float kLeastCodeMm = 60.0F;
 constexpr float kQuietModules = 4.0F;
 
-// A module is a whole number of pixels, for sharp edges. The code is at least kLeastCodeMm wide if the card
-// has room.
+// Sharp at its edges: a module is a whole number of pixels. Never narrower than kLeastCodeMm where the card
+// has room for that.
 Rect add_code(Page& page, const PhoneCode& code, vec2 top_middle, float room) {
     const auto modules = static_cast<float>(code.side);
     const float px_per_u = page.px_per_u();
     const float least = kLeastCodeMm * static_cast<float>(page.view().px_per_mm) / px_per_u;
     const float most = room * modules / (modules + 2.0F * kQuietModules);
     const float wanted = std::min(std::max(kCodeSide, least), most);
-    const bool is_least = wanted > kCodeSide;  // then rounds up, if that fits
+    const bool is_least = wanted > kCodeSide;  // then it is rounded up, if that fits
     const float exact = wanted * px_per_u / modules;
     float px = std::max(1.0F, is_least ? std::ceil(exact) : std::floor(exact));
     if (px * modules / px_per_u > most && px > 1.0F) px -= 1.0F;
@@ -56,7 +56,7 @@ Rect line_below(const Rect& card, float y, float height) {
     return {card.x + 20.0F, y, card.width - 40.0F, height};
 }
 
-// Emphasised text.
+// What is to be read first, and what goes with it.
 Words strong(std::string text) {
     return {
         .text = std::move(text), .type = design::kHeading, .colour = design::kInk, .align = Align::kCentre};
@@ -83,7 +83,7 @@ void add_wifi(Page& page, const Rect& card, const PhoneWay& way) {
 void add_packing(Page& page, const Rect& card) {
     page.words(line_below(card, card.y + 26.0F, 44.0F), strong(page.t("home.making")));
     constexpr float kCoil = 172.0F;
-    constexpr float kDone = 0.55F;  // a fixed fraction: the work takes some seconds and has no progress
+    constexpr float kDone = 0.55F;  // some seconds, of which nobody counts
     ui::Sketch sketch;
     const ui::Placing placing{.at = vec2(0.0F), .scale = vec2(kCoil / kSpiralSide)};
     for (const auto& [part, colour] : {std::pair(1.0F, design::kRule), std::pair(kDone, design::kBareClay)}) {
@@ -94,7 +94,7 @@ void add_packing(Page& page, const Rect& card) {
     page.words(line_below(card, card.y + 356.0F, 36.0F), quiet(page.t("home.gone")));
 }
 
-// A friendly notice of the problem and its remedy.
+// What stands in the way, kindly, and what can be done about it.
 void add_waiting(Page& page, const Rect& card, Icon icon, const char* title, const char* line,
                  const char* action) {
     ui::Sketch sketch;

@@ -1,5 +1,5 @@
-// A jar of two bowls: the introduction, the card of each step, the joining of the bowls, and the ledge with
-// its five steps and the controls between the throwings.
+// A jar of two bowls: what lies ahead; what is told at each step; the one bowl on the other; the ledge with
+// its five steps, and what the steps between the throwings need.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ int step_of(const Page& page) {
     return static_cast<int>(page.view().state.throwing.jar.step) - 1;
 }
 
-// The last token on a wide or square ledge, or below on a tall one.
+// Where the last token begins on a wide or square ledge, and on a tall one below.
 Rect last_token(const Page& page, float wide) {
     if (page.is_tall()) return {page.width() - 300.0F, second_row_y(page), 268.0F, 80.0F};
     const float edge = page.is_square() ? 20.0F : 32.0F;
@@ -63,7 +63,7 @@ std::string told_of(const Page& page, JarStep step) {
     return {};
 }
 
-// The box in which the two bowls are visible.
+// Where the two bowls are to be seen.
 Rect bowls_box(const Page& page) {
     const float top = ledge_top(page);
     return page.by_shape(Rect{400.0F, 56.0F, 480.0F, top - 70.0F}, Rect{290.0F, 114.0F, 400.0F, top - 124.0F},
@@ -120,13 +120,13 @@ void add_join_ledge(Page& page) {
     const Rect join = last_token(page, 236.0F);
     const bool tall = page.is_tall();
     const float y = row_y(page);
-    // One name below both buttons.
+    // Named once, below both.
     const float side_x = tall ? page.width() - 300.0F : join.x - 236.0F;
     const auto aside = [&](float x, Icon icon, Button button, const char* key) {
         page.token(page.on_ledge({x, y, 90.0F, 66.0F}), Look::kToken, button, page.t(key), 0, icon, false,
                    true);
     };
-    // Left on the screen means left of the jar, also on a mirrored ledge.
+    // What is left on the screen is left of the jar, whichever way the ledge is read.
     const Rect first = page.on_ledge({side_x, y, 90.0F, 66.0F});
     const Rect second = page.on_ledge({side_x + 104.0F, y, 90.0F, 66.0F});
     const bool swaps = first.x > second.x;

@@ -1,4 +1,4 @@
-// The fired pot beside its nearest relative, and its place on the day's shelf.
+// The pot as it came out of the kiln beside its nearest relative, and its place on the day's shelf.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ void measures_card(Page& page, const Rect& card) {
         page.words({name_box.x, name_box.y + 0.5F * (step - name_line), name_box.width, name_line + 4.0F},
                    {.text = page.t(rows[i].key), .type = {30.0F, name_line}, .colour = design::kInk2}, true);
         const Rect value_box = within(value);
-        // Large number and small unit in one row, aligned to the line's end.
+        // Number large and unit small, both in one row from the line's end.
         const Words unit{.text = page.t(rows[i].unit),
                          .type = {28.0F, 56.0F},
                          .colour = design::kInk,
@@ -76,10 +76,10 @@ void height_bracket(Page& page, float x, float foot_y, float height) {
     page.sprite({x - 10.0F, foot_y - height - 2.0F, 20.0F, height + 6.0F}, std::move(sketch));
 }
 
-// Below this deviation the circle counts as round.
+// A circle that is right is told of, and no more; nobody is scored by it.
 constexpr double kRoundMm = 1.0;
 
-// Draws the true circle for comparison with a jar of two bowls.
+// What a jar of two bowls is nearly.
 void true_circle(Page& page, vec2 centre, float radius) {
     constexpr int kCorners = 72;
     std::vector<vec2> points;
@@ -96,8 +96,8 @@ std::string roundness_words(const Page& page, double off_round_mm) {
            page.t("moon.done.line");
 }
 
-// The name of the relative and, below, a strength of the pot and what to try next. With low controls, the
-// token of the relative's card is beside that of the languages.
+// What stands beside it, and below that what is good about the pot and what to try next.
+// Brought low, the token of its card stands beside that of the languages.
 void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& languages) {
     constexpr float kSide = 64.0F;
     constexpr float kGap = 14.0F;
@@ -109,8 +109,7 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& l
                              (is_jar ? "" : "\n" + page.t(exhibit.date_key)) +
                              (is_jar && page.is_low() ? "" : "\n" + page.t("your.scale"));
     const bool rtl = page.right_to_left();
-    // Room for three lines and two; for a jar two lines, or one with low controls, and the text on its
-    // roundness.
+    // Three lines, and two; of a jar two, or brought low one, and what its roundness is worth.
     const float most = is_jar && page.is_low() ? 40.0F : is_jar ? 78.0F : 114.0F;
     const float fraction = is_jar && page.is_low() ? 0.21F : is_jar ? 0.35F : 0.61F;
     const float split = std::min(fraction * rect.height, most * page.text_scale());
@@ -139,7 +138,7 @@ void draw_your_pot(Page& page) {
     const float height = page.height();
     const bool tall = page.is_tall();
     const bool square = page.is_square();
-    const float raised = page.is_low() ? 78.0F : 0.0F;  // room for the languages' token with low controls
+    const float raised = page.is_low() ? 78.0F : 0.0F;  // room for the token of languages, brought low
     const float shelf_y = tall ? 590.0F - raised : 546.0F;
     const float foot_y = shelf_y + 14.0F;
     const Rect stage = page.mirrored({0.0F, 0.0F, page.by_shape(760.0F, 560.0F, width), shelf_y});
@@ -265,7 +264,7 @@ void keep_title(Page& page) {
                 .type = full ? design::bold(34.0F, 44.0F) : design::kTitle});
 }
 
-// The number of a kept pot, and the promise about its keeping.
+// The number of a kept pot, and what is promised about it.
 void keep_promise(Page& page, float shelf_y) {
     const View& view = page.view();
     const bool tall = page.is_tall();
@@ -283,7 +282,7 @@ void keep_promise(Page& page, float shelf_y) {
                       .align = tall ? ui::Align::kCentre : ui::Align::kStart});
 }
 
-// The tokens for the wall of the day, for going on and for finishing.
+// To the wall of the day, on, and to the end.
 void keep_tokens(Page& page, float finish_width) {
     const View& view = page.view();
     const float width = page.width();
@@ -313,7 +312,7 @@ void keep_tokens(Page& page, float finish_width) {
                kiosk::Button::kFinish, page.t("keep.end"));
     if (offers_wall) {
         const float room = width - 50.0F - again - finish_width - 18.0F - 32.0F;
-        // In a square picture the promise is close above.
+        // In a square picture the promise stands close above.
         const float lower = square ? 30.0F : 0.0F;
         wall_token({32.0F, y + lower, std::min(room, 440.0F), 78.0F - 0.5F * lower});
     }
@@ -334,8 +333,8 @@ void draw_keep(Page& page) {
     day_pots(page, foot);
     new_pot(page, foot);
     keep_title(page);
-    // With low controls the languages' token is under the phone's card or beside the last token. The code may
-    // stay high, because it is not pressed.
+    // Brought low, the token of languages stands under the phone's card, or beside the last token.
+    // A code is only looked at and may stand high; what can be pressed may not.
     const kiosk::Phone phone = view.state.keeping.phone;
     const bool asks = phone == kiosk::Phone::kResting || phone == kiosk::Phone::kOver;
     const float down = page.lower_by();

@@ -1,5 +1,5 @@
-// Panels over any screen: the countdown, languages and comfort; and two separate screens: the left-over pot
-// and the resting wheel.
+// What lies over any screen: the countdown, languages and comfort; and the two screens that stand alone, the
+// pot that was left over and the wheel that rests.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,14 +69,14 @@ namespace {
 
 constexpr float kComfortGap = 24.0F;
 
-// Adds a token for each language. Returns their lower edge.
+// A token for each language. Gives the lowest edge of them.
 float language_tokens(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
     const int count = static_cast<int>(view.languages->size());
-    // With low controls everything is packed into the lower half; more than four languages need more room.
+    // Brought low, all of it stands close together in the lower half; more than four languages need more.
     const bool low = page.is_low();
     const int columns = tall ? (low ? 2 : 1) : std::min(count, 4);
     const int rows = (count + columns - 1) / columns;
@@ -88,7 +88,7 @@ float language_tokens(Page& page) {
     const float high = low ? (tall ? 84.0F : 80.0F) : tall ? 110.0F : count > 4 ? 84.0F : 150.0F;
     const float left =
         0.5F * (width - wide * static_cast<float>(columns) - gap * static_cast<float>(columns - 1));
-    // On a tall screen there is room above, below the title, for the ring's name.
+    // On a tall screen there is room above for the name of what the ring is on, below the title.
     const float room = height - 588.0F - static_cast<float>(rows) * (high + between);
     const float tall_top = std::clamp(room, 140.0F, 232.0F);
     const float top = low ? 0.5F * height + 2.0F - static_cast<float>(tall ? 0 : rows - 1) * (high + between)
@@ -104,7 +104,7 @@ float language_tokens(Page& page) {
     return bottom;
 }
 
-// Text size, volume, low controls, left hand and less motion: in one row, or two on a tall screen.
+// Sizes of text and sound, what is brought low, left, or kept still: in one row, on a tall screen in two.
 void comfort_controls(Page& page, float y) {
     const kiosk::Comfort& comfort = page.view().state.comfort;
     const float width = page.width();
@@ -175,7 +175,8 @@ void draw_resume(Page& page) {
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
-    // A lump on a shelf stands for the left-over clay, which is put on the wheel only on request.
+    // The clay as it was left, waiting on a shelf: by its kind, for it is put on the wheel only when it is
+    // wanted.
     page.museum({0.5F * width, 0.45F * height}, {0.5F * width, 0.55F * height}, 0.18F);
     const float shelf_y = tall ? 820.0F : height - 206.0F;
     page.shelf(shelf_y, 30.0F);
@@ -213,7 +214,7 @@ void draw_fault(Page& page) {
               design::kNight.with_alpha(0.93F));
     page.down({0.0F, words_y, width, height - words_y}, design::kNight.with_alpha(0.93F),
               design::kNight.with_alpha(0.97F));
-    // All languages at once, side by side or one below the other.
+    // All languages at once: side by side, or one below the other.
     for (int i = 0; i < count; ++i) {
         const float column = (width - 48.0F) / static_cast<float>(count);
         const Rect rect =

@@ -1,4 +1,4 @@
-// The staff's keypad and panel: in English, with ok, warn or fault as words. Not mirrored.
+// The staff's keypad and panel: plain, in English, values with ok, warn or fault as words. Not mirrored.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -22,7 +22,7 @@ constexpr ui::Colour kOk = ui::hex(0x9fd8a8);
 constexpr ui::Colour kWarn = ui::hex(0xffcf7a);
 constexpr ui::Colour kFault = ui::hex(0xffa49a);
 
-// Extends beyond the edges, so that the rising screen leaves no gap.
+// A little beyond the edges: what rises into place leaves no strip open.
 void ground(Page& page) {
     constexpr float kBeyond = 16.0F;
     page.box({0.0F, -kBeyond, page.width(), page.height() + 2.0F * kBeyond},
@@ -59,7 +59,7 @@ void title_bar(Page& page) {
     page.fixed_words({0.4F * page.width(), 13.0F, 0.6F * page.width() - 24.0F, 40.0F}, name);
 }
 
-// The confirmation of an irreversible action; blocks all other buttons.
+// Before what cannot be taken back: nothing else can be pressed meanwhile.
 void draw_question(Page& page) {
     const kiosk::Staff& staff = page.view().state.staff;
     std::string question = "Quit the program?";
@@ -85,7 +85,7 @@ void draw_question(Page& page) {
     key(page, {box.right() - 24.0F - half, box.bottom() - 96.0F, half, 72.0F}, Button::kStaffYes, 0, yes);
 }
 
-// The last seconds' frames as bars: the frame time and, in front of it, the device's time.
+// The last seconds' frames as bars: what lay between two of them, and in front of it what the device took.
 void draw_plot(Page& page, const Rect& rect, const FramePlot& plot) {
     constexpr float kMostMs = 50.0F;
     const Rect field{rect.x, rect.y + 34.0F, rect.width, rect.height - 34.0F};
@@ -114,7 +114,7 @@ void draw_plot(Page& page, const Rect& rect, const FramePlot& plot) {
                      plain("Frames of 10 s; green: drawing; lines: 17 and 33 ms", page, kDim));
 }
 
-// Draws the page's lines from the first visible one; returns the number shown.
+// The page's lines from the first that is wanted; gives how many were shown.
 int draw_lines(Page& page, const Rect& rect) {
     const std::vector<StaffLine>& lines = page.view().staff_lines;
     const int first = std::min(page.view().state.staff.first_line, static_cast<int>(lines.size()));
@@ -175,7 +175,7 @@ constexpr std::array kActions{Action{Button::kStaffForceTest, "Test the force"},
                               Action{Button::kStaffSoundTest, "Test the sound"},
                               Action{Button::kSoundLess, "Sound less"},
                               Action{Button::kSoundMore, "Sound more"},
-                              Action{Button::kStaffLanguage, "Begin in "},  // and the language
+                              Action{Button::kStaffLanguage, "Begin in "},  // and which
                               Action{Button::kStaffRestart, "Restart the program"},
                               Action{Button::kStaffQuit, "Quit"},
                               Action{Button::kStaffClose, "Close the panel"}};
@@ -224,7 +224,7 @@ void draw_staff(Page& page) {
     const View& view = page.view();
     const kiosk::Staff& staff = view.state.staff;
     const float width = page.width();
-    // The health page still draws the wheel underneath, because it measures its frames.
+    // On the page of health the wheel is drawn underneath all the same: its frames are what is measured.
     if (staff.page != kiosk::StaffPage::kHealth) page.covers();
     ground(page);
     title_bar(page);
@@ -257,7 +257,7 @@ void draw_staff(Page& page) {
     }
     const int shown = draw_lines(page, lines);
 
-    // Each action has a fixed place; two columns under the list on a tall screen.
+    // One place each, whatever is shown; two columns under the list where the screen is tall.
     const auto place = [&](std::size_t i) {
         const float step = tall ? 76.0F : 70.0F;
         if (!tall) return Rect{width - 24.0F - side, actions_top + static_cast<float>(i) * step, side, 62.0F};

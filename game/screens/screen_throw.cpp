@@ -1,6 +1,7 @@
-// Throwing: the clay, with only the stage's cue over it. The ledge has the three steps of the lesson, tokens
-// and steppers; during a demonstration, how to take over; and the tools: hand, rib, sponge and wire. A
-// warning is a sign on the pot, a card and a section of the wall.
+// Throwing: the clay and nothing over it but the cue, which the stage draws; what can be done stands on the
+// ledge: the three steps of the lesson, tokens and steppers; while the wheel's own hands show a step, how to
+// take over; what there is to hold: hand, rib, sponge and wire. The danger is a sign on the pot, a card and a
+// section of the wall.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
                 target);
 }
 
-// The task, and one line on the tool in the hand.
+// What is to be done, and one line on what is in the hand.
 void add_lines(Page& page, const Rect& place, const std::string& title, const std::string& line) {
     const Rect rect = page.on_ledge(place);
     const Words head{.text = title, .type = design::kName, .align = along_ledge(page)};
@@ -52,7 +53,7 @@ void add_back(Page& page, const Rect& place) {
 constexpr std::array kStepIcons{Icon::kStepPress, Icon::kStepOpen, Icon::kStepRaise};
 constexpr std::array kStepKeys{"step.press", "step.open", "step.raise"};
 
-// Three sections of the clay: steps that are done, current and to come.
+// Three sections of the clay: what is done, what is next, what comes.
 void steps(Page& page, float x, float y, float pitch, int done) {
     for (int i = 0; i < kiosk::kTeachingSteps; ++i) {
         const bool current = i == done;
@@ -116,7 +117,7 @@ void gauge(Page& page, const Rect& rect) {
                 .align = ui::Align::kCentre});
 }
 
-// The focus order: actions on the clay first, settings last.
+// The ring comes to what is done to the clay first, and to the settings last.
 void controls(Page& page) {
     const Setting water = water_setting(page.view().state.throwing);
     const Setting speed = speed_setting(page.view().state.throwing);
@@ -164,7 +165,7 @@ void controls(Page& page) {
     add_stepper(page, {width - 356.0F, y, 156.0F, 66.0F}, speed, false);
 }
 
-// All controls are disabled except the one for taking over; touching the clay also takes over.
+// All rests but what takes over; and touching the clay does.
 void show_controls(Page& page) {
     const Setting water = water_setting(page.view().state.throwing);
     const Setting speed = speed_setting(page.view().state.throwing);
@@ -191,7 +192,7 @@ void show_controls(Page& page) {
     add_stepper(page, {right - 584.0F, y, 164.0F, 66.0F}, water, true);
     add_stepper(page, {right - 408.0F, y, 164.0F, 66.0F}, speed, true);
     const float left = square ? 32.0F : 276.0F;
-    const float high = 70.0F + (square ? growth(page).labels : 0.0F);  // otherwise it ends above the caption
+    const float high = 70.0F + (square ? growth(page).labels : 0.0F);  // else it ends above the caption
     page.words(page.on_ledge({left, y + 2.0F, right - 608.0F - left, high}), line);
     my_turn({right - 220.0F, y - 4.0F, 220.0F, 74.0F});
 }
@@ -200,17 +201,17 @@ float ledge_y(const Page& page) {
     return screens::ledge_y(page.shape(), page.height(), page.view().state.comfort);
 }
 
-// Buttons in place of drags, for low controls and for visitors with one switch.
+// The button way for every drag, for who asks for controls within reach, and for who has one switch.
 bool has_hand_pad(const View& view) {
     return view.state.comfort.reach || view.scans;
 }
 
-// The area of pot, tool and hands, without words except on cards.
+// Where pot, tool and hands are to be seen: no words there but on cards.
 Rect pot_box(const Page& page) {
     if (page.view().state.comfort.reach)
         return {0.38F * page.width(), 0.42F * page.height(), 0.2F * page.width(),
                 ledge_y(page) - 0.42F * page.height()};
-    const bool padded = has_hand_pad(page.view());  // the pad is beside the pot, over the wheel's edge
+    const bool padded = has_hand_pad(page.view());  // it stands beside the pot, over the wheel's edge
     const float top = ledge_y(page);
     return page.by_shape(Rect{340.0F, 56.0F, 600.0F, top - 70.0F},
                          Rect{260.0F, 114.0F, padded ? 450.0F : 510.0F, top - 124.0F},
@@ -229,19 +230,19 @@ void outline(Page& page) {
     }
 }
 
-// The bowl that was set aside.
+// A bowl that waits for the other one.
 void bowl_aside(Page& page) {
     const View& view = page.view();
     if (!view.aside) return;
     const vec2 foot = view.aside_foot_px / page.px_per_u();
     const float scale = view.aside_px_per_mm / page.px_per_u();
     const float reach = view.aside->radius_mm() * scale;
-    constexpr float kDaylight = 1.25F;  // brightness relative to the museum's evening light of such pictures
+    constexpr float kDaylight = 1.25F;  // beside the evening museum's, for which such pictures are lit
     if (foot.x < -0.4F * reach || foot.y > ledge_y(page)) return;
     page.pot(*view.aside, finish::wet_clay(), scale, foot, kDaylight);
 }
 
-// Rings round the tools on the bench that can be picked up.
+// Round what lies on the bench and may be picked up there.
 void bench_rings(Page& page) {
     const float u = 1.0F / page.px_per_u();
     for (const BenchTool& tool : page.view().bench) {
@@ -276,7 +277,7 @@ void warning_card(Page& page) {
     const bool square = page.is_square();
     const bool low = has_hand_pad(view) && page.shape() == Shape::kWide;
     const float width = page.width();
-    // With low controls, opposite the hand's keys.
+    // Brought low, it stands across from the hand's keys.
     const Rect card =
         tall  ? Rect{60.0F, 104.0F, 600.0F, 128.0F}
         : low ? page.mirrored({32.0F, 290.0F, 376.0F, 156.0F})
@@ -307,7 +308,7 @@ void warning_card(Page& page) {
                    {inner.width, inner.height + 4.0F}, 4.0F));
 }
 
-// As wide as its words up to `rect`; grows down if they need more lines.
+// As wide as its words, up to that; where they need more lines than it has room for, it grows down.
 void chip(Page& page, const Rect& rect, const std::string& text) {
     const Words words{.text = text, .type = design::kLabel, .align = ui::Align::kCentre};
     const float wide = std::min(rect.width, page.words_width(words) * page.text_scale() + 44.0F);
@@ -320,7 +321,7 @@ void chip(Page& page, const Rect& rect, const std::string& text) {
     page.words({body.x + 18.0F, body.y + 8.0F, body.width - 36.0F, body.height - 14.0F}, words, true);
 }
 
-// The reasons why the clay follows the finger only in part, for the stage to show beside the cue.
+// Why the clay does less than the finger asks, for the stage to set beside the cue.
 void add_guards(Page& page) {
     for (int guard = 1; guard < kCueGuardCount; ++guard) {
         constexpr float kMostWide = 420.0F;
@@ -467,13 +468,13 @@ void draw_throw(Page& page) {
     } else {
         add_jar_card(page);
     }
-    // The focus order: the hand's keys before the end of the throwing.
+    // The ring comes to the hand's keys before it comes to what ends the throwing.
     const kiosk::Throwing& throwing = view.state.throwing;
     const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != kiosk::Held::kWire &&
                             throwing.jar.step != kiosk::JarStep::kAside;
     if (has_hand_pad(view) && works_clay) add_hand_pad(page);
     add_throw_ledge(page);
-    // With low controls, above or opposite the hand's keys.
+    // Brought low, they stand over the hand's keys, or across from them.
     const Rect languages = page.languages_token(low_languages(page, page.width() - 182.0F));
     add_forces(page);
     add_guards(page);
@@ -498,7 +499,7 @@ void draw_throw(Page& page) {
         chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
              page.t(throwing.jar.is_low ? "moon.low" : "moon.more"));
     } else if (!view.heard.empty()) {
-        // If hand pad and caption do not fit side by side, the caption is opposite the pad.
+        // Where hand pad and caption have no room beside each other, the caption stands across from the pad.
         const bool beside = page.is_tall() && has_hand_pad(view);
         chip(page,
              beside ? page.mirrored({24.0F, y - 58.0F, 390.0F, 48.0F})

@@ -1,4 +1,4 @@
-// Trimming the foot: the pot on its rim, and on the ledge the mass of the removed clay.
+// Turning the foot: the pot on its rim, and on the ledge how much lighter it has become.
 #include "game/screens/page/ledge_parts.h"
 #include "game/screens/screens.h"
 
@@ -16,7 +16,7 @@ Rect foot_box(const Page& page) {
                          Rect{90.0F, 240.0F, padded ? 330.0F : 550.0F, top - 260.0F});
 }
 
-// Beside the removed mass, if the ledge has room for it.
+// Beside what was taken, where the shape of the ledge has room for it.
 void words_on_ledge(Page& page, const Rect& grams, const Rect& line) {
     const kiosk::Trimming& trimming = page.view().state.trimming;
     if (trimming.touched) {

@@ -1,4 +1,4 @@
-// The wall of the day: pots that their makers put there, without a name, all at one scale.
+// The wall of the day: pots whose makers have put them there, without a name, all at one scale.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -11,18 +11,18 @@ namespace {
 using ui::Rect;
 
 constexpr float kLit = 1.0F;
-constexpr float kDimmed = 0.74F;  // brightness of all but the newest
+constexpr float kDimmed = 0.74F;  // the others, beside the newest
 constexpr float kMostGap = 90.0F;
 constexpr float kLeastGap = 14.0F;
 constexpr float kSide = 36.0F;
 
-// The number of shelves, and of pots on each.
+// Shelves, and how many pots stand on one.
 struct Boards {
     int count;
     int pots;
     float first_y;
     float step;
-    float scale;  // u per mm, unless the pots need a smaller one
+    float scale;  // u a mm, where the pots leave it so large
 };
 
 Boards boards_of(const Page& page, int pots) {
@@ -35,7 +35,7 @@ Boards boards_of(const Page& page, int pots) {
     return {rows, a_row, top + step, step, page.is_tall() ? 0.92F : 0.8F};
 }
 
-// One scale for all pots, so that the highest fits under the next board and the widest row on its board.
+// One scale for all, so that the highest fits under the next board and the widest row on its own.
 float scale_of(const Page& page, const std::vector<ShelfPot>& pots, const Boards& boards) {
     float scale = boards.scale;
     for (std::size_t first = 0; first < pots.size(); first += static_cast<std::size_t>(boards.pots)) {
@@ -74,7 +74,7 @@ void draw_wall(Page& page) {
     const View& view = page.view();
     const std::vector<ShelfPot>& all = *view.wall;
     const Boards boards = boards_of(page, static_cast<int>(all.size()));
-    // Only the newest, if there is no room for all.
+    // The newest of them, where there is no room for all.
     const auto room = static_cast<std::size_t>(boards.count * boards.pots);
     const std::vector<ShelfPot> pots(all.end() - static_cast<std::ptrdiff_t>(std::min(room, all.size())),
                                      all.end());
@@ -82,7 +82,7 @@ void draw_wall(Page& page) {
     const int language = view.attract_turn % static_cast<int>(view.languages->size());
     const bool rtl = page.language(language).right_to_left();
     const float scale = scale_of(page, pots, boards);
-    // Their places: rows from the top, in the order of making.
+    // Where each stands: rows from the top, by the time they were made.
     std::vector<vec2> feet;
     for (std::size_t first = 0; first < pots.size(); first += static_cast<std::size_t>(boards.pots)) {
         const std::size_t end = std::min(pots.size(), first + static_cast<std::size_t>(boards.pots));

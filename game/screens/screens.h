@@ -1,12 +1,11 @@
-// Every screen, drawn from the state: one function each, and compose(), which selects one. The composer's
-// thread.
+// Every screen, drawn from the state: one function each, and compose() which picks. The composer's thread.
 #pragma once
 
 #include "game/screens/page/page.h"
 
 namespace onggi::screens {
 
-// The complete screen for this view: the state's screen, or the panel over it.
+// The whole screen for this view: the state's screen, or the panel that lies over it.
 [[nodiscard]] Composition compose(const View& view, ui::Painter& painter, PaintingStore& store);
 
 void draw_attract(Page& page);
@@ -30,13 +29,14 @@ void draw_pin(Page& page);
 void draw_staff(Page& page);
 void draw_card_panel(Page& page);
 
-// The card for taking the pot home by phone, at its present stage.
+// The card by which the pot goes home by phone, at whatever that has come to.
 void add_phone_card(Page& page, const ui::Rect& card);
 
-// Adds the parts for showing forces, and the panel if the visitor opened it.
+// What forces are shown with, and the panel where the visitor asked for it.
 void add_forces(Page& page);
 
-// The dark ledge under the clay: the lesson and the controls, or, during a demonstration, how to take over.
+// The dark ledge under the clay: the lesson, and what can be pressed; or while the wheel's own hands show it,
+// how to take over.
 void add_throw_ledge(Page& page);
 
 }  // namespace onggi::screens

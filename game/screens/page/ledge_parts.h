@@ -1,5 +1,5 @@
-// The parts of all ledges under the clay: rows, steppers, and tokens with a name below. The composer's
-// thread.
+// What all ledges under the clay are made of: where their rows lie, steppers and tokens with a name below.
+// The composer's thread.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace onggi::screens {
 
-// The ledge's extra height with larger text, for the caption's row and the labels below the tokens.
+// What larger text has made the ledge higher by, for the caption's row and for the labels below the tokens.
 struct LedgeGrowth {
     float caption = 0.0F;
     float labels = 0.0F;
@@ -16,15 +16,15 @@ struct LedgeGrowth {
 [[nodiscard]] LedgeGrowth growth(const Page& page);
 
 [[nodiscard]] float ledge_top(const Page& page);
-// The height of the names below one row.
+// Of the names below one row.
 [[nodiscard]] float label_height(const Page& page);
-// The top of the tokens' row; a tall picture has a second row below it.
+// Where the tokens' row begins; on a tall picture there is another below it.
 [[nodiscard]] float row_y(const Page& page);
 [[nodiscard]] float second_row_y(const Page& page);
-// Words are aligned to the hand's side.
+// Words begin where the hand does.
 [[nodiscard]] ui::Align along_ledge(const Page& page);
 
-// The setting that a stepper changes.
+// What a stepper changes.
 struct Setting {
     Icon icon;
     const char* key;
@@ -37,13 +37,13 @@ struct Setting {
 [[nodiscard]] Setting water_setting(const kiosk::Throwing& throwing);
 [[nodiscard]] Setting speed_setting(const kiosk::Throwing& throwing);
 
-// `place` is for a right-handed, left-to-right ledge. `rests`: visible but disabled.
+// `place` is of a ledge for the right hand, read from the left. `rests`: to be seen and not to be pressed.
 void add_stepper(Page& page, const ui::Rect& place, const Setting& setting, bool rests);
-// Adds a token with its name below, at most `label_width` wide; returns its target.
+// A token with its name below, that wide at most; gives its target.
 int add_round(Page& page, const ui::Rect& place, Icon icon, kiosk::Button button, const char* key,
               float label_width, int value = 0);
 
-// One of several choices, or a switch.
+// One of several to choose from, or what is on or off.
 struct LedgeChoice {
     Icon icon;
     const char* key;
@@ -51,35 +51,35 @@ struct LedgeChoice {
     int value = 0;
     bool chosen = false;
 };
-// Adds a token with its name below, `name_height` high and `spread` wider than the token on each side; the
-// chosen one is ticked and underlined.
+// A token with its name below, that high and wider than it by `spread` to either side; what is chosen is
+// ticked and underlined.
 void add_choice(Page& page, const ui::Rect& place, const LedgeChoice& choice, float name_height,
                 float spread);
 
-// The token of the tool in the hand, with a sign for more: opens the tray.
+// What the hand holds, with a sign that there is more: opens the tray.
 void add_held_token(Page& page, const ui::Rect& place, float label_width);
-// The tool tray on the ledge: the tools, their size, and back.
+// The ledge turned over: what there is to hold, how large, and back.
 void add_tool_tray(Page& page);
-// The name of the current step: below the steps and `wide` u wide, or to their right from `beside`.
+// What the step that is being done is called: below the steps and that wide, or from `beside` on to their
+// right.
 void add_step_caption(Page& page, const std::string& text, float wide, float beside);
-// The place of the languages' token above the ledge with low controls; `tall_x` is its left edge on a tall
-// picture.
+// Above the ledge, where the token of languages is brought low; `tall_x`: its left edge on a tall picture.
 [[nodiscard]] ui::Rect low_languages(const Page& page, float tall_x = design::kMargin);
 // The four keys that move the hand.
 void add_hand_pad(Page& page);
-// Adds a card as high as its words; if that exceeds `most`, shrinks the words. Returns its place.
+// A card as high as its words, or where that is too high, words as small as it takes; gives where it is.
 ui::Rect add_paper(Page& page, const ui::Rect& most, const std::vector<Words>& lines);
-// The five steps of a jar of two bowls side by side, `pitch` apart; `current` is the present step, -1 before
-// the first.
+// The five steps of a jar of two bowls side by side, that far apart; current: the one that is being done, -1:
+// all lie ahead.
 void add_jar_pictograms(Page& page, vec2 at, float pitch, int current);
-// The same in place of the lesson's steps, with the current step's name.
+// The same in the place of the lesson's, and what the one being done is called.
 void add_jar_steps(Page& page);
 // The ledges while the first bowl is set aside, and while it stands on the second.
 void add_aside_ledge(Page& page);
 void add_join_ledge(Page& page);
-// The card that explains the step, until the clay is touched.
+// What is told of the step, until the clay is touched.
 void add_jar_card(Page& page);
-// The ledge while the wire is held: its height, and the cut.
+// The ledge while the wire is held: where it is to cut, and the cut.
 void add_wire_ledge(Page& page);
 
 }  // namespace onggi::screens
