@@ -41,7 +41,7 @@ struct UnseenKiosk::Parts {
         view = std::move(*opened);
         parameters.set_rate_hz(kRateHz);
         parameters.studio.forgiving = options.forgiving;
-        auto device = std::make_unique<haptics::SimulatedDevice>();
+        auto device = std::make_unique<haptic::SimulatedDevice>();
         hand = device.get();
         parameters.safety = haptics::limits_for(device->capabilities());
         std::vector<std::string> remarks;
@@ -85,7 +85,7 @@ struct UnseenKiosk::Parts {
     std::chrono::milliseconds frame_pause;
     std::chrono::minutes patience;
     haptic::HapticParameters parameters;
-    haptics::SimulatedDevice* hand = nullptr;
+    haptic::SimulatedDevice* hand = nullptr;
     std::unique_ptr<HandDevices> devices;
     std::unique_ptr<haptic::HapticJob> job;
     std::unique_ptr<KioskKeeper> keeper;

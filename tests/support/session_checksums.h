@@ -1,5 +1,5 @@
 // Makes a damaged session file's checksums agree with what it holds: honest checksums over dishonest content,
-// so that tests and fuzzers reach what lies behind them. Written from engine/record/README.md, not from the
+// so that tests and fuzzers reach what lies behind them. Written from game/record/README.md, not from the
 // code under test.
 #pragma once
 

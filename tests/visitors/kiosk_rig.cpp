@@ -58,11 +58,11 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     }
     if (!outline_mm_.empty())
         hand_.set_outline(outline_mm_, app::outline_help_after(lesson_.steps_done(shape_)));
-    haptics::ToolState tool = hand_.request(kSettings, shape_, kFrameS);
+    tool::ToolState tool = hand_.request(kSettings, shape_, kFrameS);
     tool.wheel_button = true;
     device_.set_target(tool);
     for (; static_cast<double>(ticks_) < now_s_ * kRateHz; ++ticks_)
-        haptic::tick(state_, device_.read(ticks_, 1.0 / kRateHz), parameters_);
+        haptic::tick(state_, device_.read_tool(ticks_, 1.0 / kRateHz), parameters_);
     shape_ = haptic::pot_of(state_);
 }
 

@@ -139,8 +139,8 @@ double DualSenseDriver::press_mm() const noexcept {
     return mapping_.press_mm * state_.right_trigger / 255.0;
 }
 
-HandInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
-    HandInput input{.motion = HandInput::Motion::kRate};
+DeviceInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
+    DeviceInput input{.motion = DeviceInput::Motion::kRate};
     input.is_live = was_heard_ && now_ns - heard_ns_ <= kSilenceNs;
     input.is_fresh = was_heard_ && heard_ns_ == now_ns;
     input.rate_mm_s =
@@ -149,8 +149,8 @@ HandInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
     input.travelled_mm = travelled_mm_;
     input.press_mm = press_mm();
     if (state_.left_trigger >= kPedalDown)
-        input.wheel_rev_min = mapping_.fastest_rev_min * state_.left_trigger / 255.0;
-    input.wheel_button = wheel_turns_ || state_.left_trigger >= kPedalDown;
+        input.rev_min = mapping_.fastest_rev_min * state_.left_trigger / 255.0;
+    input.button = wheel_turns_ || state_.left_trigger >= kPedalDown;
     input.buttons = state_.buttons;
     return input;
 }

@@ -90,7 +90,7 @@ void HidSession::exchange(std::int64_t now_ns) {
         next_presence_ns_ = now_ns + kPresenceIntervalNs;
         if (!port_->is_there()) return lose(now_ns);
     }
-    const HandInput input = driver_->input(now_ns);
+    const DeviceInput input = driver_->input(now_ns);
     if (input.is_live != status_.is_heard || input.buttons != status_.buttons) {
         HidStatus status = status_;
         status.is_heard = input.is_live;
@@ -113,12 +113,12 @@ void HidSession::exchange(std::int64_t now_ns) {
 void HidSession::lose(std::int64_t now_ns) {
     port_.reset();
     next_search_ns_ = now_ns + kSearchIntervalNs;
-    publish(HandInput{});
+    publish(DeviceInput{});
     publish(HidStatus{});
 }
 
-void HidSession::publish(const HandInput& input) {
-    HandInput published = input;
+void HidSession::publish(const DeviceInput& input) {
+    DeviceInput published = input;
     published.heartbeat = ++heartbeat_;
     if (published.is_fresh) ++refreshed_;
     published.refreshed = refreshed_;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/files/asset_folder.h"
-#include "engine/haptics/simulated_device.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
 #include "engine/jobs/thread_setup.h"
@@ -31,6 +30,7 @@
 #include "game/app/system/start_log.h"
 #include "game/app/system/wall_clock.h"
 #include "game/haptic/job.h"
+#include "game/haptic/simulated_device.h"
 #include "game/kiosk/spoken.h"
 #include "game/screens/page/legibility.h"
 #include "game/wheel/live_view.h"
@@ -198,8 +198,8 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     haptic::HapticParameters parameters;
     parameters.set_rate_hz(tick_rate_hz(settings->config.haptics.rate_hz, is_real_time));
     parameters.studio.forgiving = settings->config.visit.forgiving;
-    auto device = std::make_unique<haptics::SimulatedDevice>();
-    haptics::SimulatedDevice& hand = *device;
+    auto device = std::make_unique<haptic::SimulatedDevice>();
+    haptic::SimulatedDevice& hand = *device;
     hand.set_target(resting_hand());
     parameters.safety = haptics::limits_for(device->capabilities());
     const bool has_devices = settings->config.haptics.devices && !start_report.is_safe_mode;

@@ -20,8 +20,8 @@ constexpr double kFrameRateHz = 60.0;
 
 struct LiveRun {
     haptic::Start start;
-    std::unique_ptr<haptics::HapticDevice> hand;
-    std::uint64_t tick_count = 0;   // of the hand's path; then it starts again on a fresh lump
+    haptic::ToolDevices devices;
+    std::uint64_t tick_count = 0;   // of the recording; then it starts again on a fresh lump
     std::optional<double> seconds;  // the end; none: when the path has been played once
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
     jobs::RealTimeRequest real_time{};
@@ -54,7 +54,7 @@ struct LiveReport {
     haptic::HapticState state;  // at the end
 };
 
-// A hand that cannot be shown this clay gets no force, and one line on stderr says why.
+// A device that cannot be shown this clay gets no force, and one line on stderr says why.
 // Errors: the device's or the thread's (see HapticJob::start), or the first that `draw` returned.
 [[nodiscard]] Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw);
 

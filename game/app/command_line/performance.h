@@ -1,4 +1,4 @@
-// A performance: a start, a hand and how long it plays, from a gesture or a session. What `throw`, `live`
+// A performance: a start, a player and how long it plays, from a gesture or a session. What `throw`, `live`
 // and `replay` have in common. Main thread.
 #pragma once
 
@@ -8,18 +8,18 @@
 #include <string>
 
 #include "engine/core/result.h"
-#include "engine/haptics/haptic_device.h"
 #include "game/app/command_line/options.h"
 #include "game/app/replay/stored_session.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/haptic/start_state.h"
+#include "game/haptic/tool_device.h"
 
 namespace onggi::app {
 
 struct Performance {
     haptic::Start start;
     std::uint64_t tick_count = 0;
-    std::unique_ptr<haptics::HapticDevice> hand;
+    std::unique_ptr<haptic::ToolDevice> player;
     std::optional<std::string> remark;  // for the user: that a session was cut short
 };
 

@@ -84,51 +84,52 @@ HandDevices::Watched HandDevices::watch(haptics::HidDevice& device) {
 }
 
 void HandDevices::add(HidKind kind, const std::string& only,
-                      std::vector<std::unique_ptr<haptics::Hand>>& hands) {
+                      std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
     auto device = haptics::make_hid_device({.kind = kind, .only = only});
     tools_.push_back(watch(*device));
-    hands.push_back(std::move(device));
+    devices.push_back(std::move(device));
 }
 
-void HandDevices::add_inverse(std::vector<std::unique_ptr<haptics::Hand>>& hands) {
+void HandDevices::add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
     auto device = std::make_unique<haptics::InverseDevice>();
     haptics::InverseDevice& watched = *device;
     tools_.push_back({.word = "Haply Inverse3",
                       .status = [&watched]() -> const haptics::hid::HidStatus& { return watched.status(); },
                       .ability = ability_of(watched.capabilities(), false)});
-    hands.push_back(std::move(device));
+    devices.push_back(std::move(device));
 }
 
-Result<HandDevices> HandDevices::make(const std::string& word, std::unique_ptr<haptics::Hand> first,
+Result<HandDevices> HandDevices::make(const std::string& word, std::unique_ptr<haptic::ToolDevice> first,
                                       bool first_is_a_recording) {
     HandDevices made;
-    std::vector<std::unique_ptr<haptics::Hand>> hands;
-    hands.push_back(std::move(first));
+    std::vector<std::unique_ptr<haptics::HapticDevice>> devices;
+    made.first_ = first.get();
+    devices.push_back(std::move(first));
     bool has_pedal = true;
     if (is_node(word) || are_numbers(word)) {
         const auto named = find(word);
         if (!named) return named.error();
-        if (named->kind != HidKind::kVecPedal) made.add(named->kind, named->path, hands);
+        if (named->kind != HidKind::kVecPedal) made.add(named->kind, named->path, devices);
     } else {
         has_pedal = false;
         for (const NamedKind& kind : kNamedKinds) {
             if (word != kAuto && word != kind.word) continue;
-            made.add(kind.kind, "", hands);
+            made.add(kind.kind, "", devices);
             has_pedal = true;
         }
         if (word == kAuto || word == kInverse) {
-            made.add_inverse(hands);
+            made.add_inverse(devices);
             has_pedal = true;
         }
     }
-    made.hands_ = std::make_unique<haptics::Hands>(
-        std::move(hands), haptics::HandsOptions{.chooser = {.first_yields = first_is_a_recording}});
+    made.group_ = std::make_unique<haptics::DeviceGroup>(
+        std::move(devices), haptics::DeviceGroupOptions{.chooser = {.first_yields = first_is_a_recording}});
     if (has_pedal) {
         auto pedal = haptics::make_hid_device({.kind = HidKind::kVecPedal});
         made.pedals_.push_back(watch(*pedal));
-        made.hands_->add_pedal(std::move(pedal));
+        made.group_->add_pedal(std::move(pedal));
     }
-    made.watched_hands_ = made.hands_.get();
+    made.watched_group_ = made.group_.get();
     return made;
 }
 
@@ -160,14 +161,14 @@ std::vector<std::string> HandDevices::news() {
 }
 
 std::string HandDevices::holder() const {
-    const std::size_t holder = watched_hands_->holder();
+    const std::size_t holder = watched_group_->holder();
     if (holder == 0) return {};
     const Watched& watched = tools_[holder - 1];
     return watched.name_of(watched.last);
 }
 
 bool HandDevices::somebody_moved() {
-    const std::uint64_t now = watched_hands_->signs_of_life();
+    const std::uint64_t now = watched_group_->signs_of_life();
     return std::exchange(signs_of_life_, now) != now;
 }
 

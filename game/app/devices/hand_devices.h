@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/haptics/hand.h"
-#include "engine/haptics/hands.h"
+#include "engine/haptics/device_group.h"
 #include "engine/haptics/hid/hid_device.h"
+#include "game/haptic/tool_device.h"
 
 namespace onggi::app {
 
@@ -23,11 +23,11 @@ class HandDevices {
   public:
     // `first` is always there. A recording yields to whoever moves a device. System lacks: a device named by
     // node or numbers is not plugged in, or is none that is driven here.
-    static Result<HandDevices> make(const std::string& word, std::unique_ptr<haptics::Hand> first,
+    static Result<HandDevices> make(const std::string& word, std::unique_ptr<haptic::ToolDevice> first,
                                     bool first_is_a_recording);
 
-    // For the haptic job, once. It owns the hands: ask nothing below after it is gone.
-    [[nodiscard]] std::unique_ptr<haptics::HapticDevice> take() { return std::move(hands_); }
+    // For the haptic job, once. It owns the devices: ask nothing below after it is gone.
+    [[nodiscard]] haptic::ToolDevices take() { return {std::move(group_), *first_}; }
 
     // What has changed since the last call, a line each: who came, who went, who is refused and why.
     [[nodiscard]] std::vector<std::string> news();
@@ -64,36 +64,15 @@ class HandDevices {
 
     HandDevices() = default;
     void add(haptics::HidKind kind, const std::string& only,
-             std::vector<std::unique_ptr<haptics::Hand>>& hands);
-    void add_inverse(std::vector<std::unique_ptr<haptics::Hand>>& hands);
+             std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
+    void add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
 
-    std::unique_ptr<haptics::Hands> hands_;
-    const haptics::Hands* watched_hands_ = nullptr;
+    std::unique_ptr<haptics::DeviceGroup> group_;
+    const haptics::DeviceGroup* watched_group_ = nullptr;
+    const haptic::ToolDevice* first_ = nullptr;
     std::vector<Watched> tools_;  // in the order of the hands, from the second on
     std::vector<Watched> pedals_;
     std::uint64_t signs_of_life_ = 0;  // as of the last look
-};
-
-// Anything that plays, as a hand that is always at work.
-class RecordedHand final : public haptics::Hand {
-  public:
-    explicit RecordedHand(std::unique_ptr<haptics::HapticDevice> player) : player_(std::move(player)) {}
-
-    Result<void> open() override { return player_->open(); }
-    void close() noexcept override { player_->close(); }
-    [[nodiscard]] haptics::DeviceCapabilities capabilities() const override {
-        return player_->capabilities();
-    }
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
-        return player_->read(tick, dt_s);
-    }
-    void write(const dvec3& force_n) noexcept override { player_->write(force_n); }
-    [[nodiscard]] bool is_here() const noexcept override { return true; }
-    [[nodiscard]] bool is_moving() const noexcept override { return true; }
-    void take_over(const haptics::ToolState&) noexcept override {}  // it is where it is written to be
-
-  private:
-    std::unique_ptr<haptics::HapticDevice> player_;
 };
 
 }  // namespace onggi::app

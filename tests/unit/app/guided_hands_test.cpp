@@ -12,7 +12,7 @@ namespace onggi::app {
 namespace {
 
 using clay::studio::Grip;
-using clay::studio::Side;
+using tool::Side;
 
 // A cylinder of millimetre rings, hollow above floor_mm.
 pot::Pot pot(double height_mm, double outer_mm, double wall_mm, double floor_mm) {

@@ -27,7 +27,7 @@ class HandOnClay : public ::testing::Test {
         waits(1.0);
     }
     void frame() {
-        const haptics::ToolState tool = hand_.request({.water = 3}, shape_, kFrameS);
+        const tool::ToolState tool = hand_.request({.water = 3}, shape_, kFrameS);
         for (ticks_due_ += kRateHz * kFrameS; ticks_due_ >= 1.0; ticks_due_ -= 1.0)
             last_ = haptic::tick(state_, tool, parameters_);
         shape_ = haptic::pot_of(state_);

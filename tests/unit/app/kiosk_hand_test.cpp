@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "game/app/kiosk/presentation/kiosk_pot.h"
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 #include "tests/support/millimetre_pot.h"
 
 namespace onggi::app {
@@ -21,13 +21,13 @@ pot::Pot pot(double height_mm, double outer_mm, double wall_mm, double floor_mm)
 }
 
 // Frames of a sixtieth of a second.
-haptics::ToolState after(KioskHand& hand, const pot::Pot& shape, double seconds) {
-    haptics::ToolState tool = hand.request({}, shape, 1.0 / 60.0);
+tool::ToolState after(KioskHand& hand, const pot::Pot& shape, double seconds) {
+    tool::ToolState tool = hand.request({}, shape, 1.0 / 60.0);
     for (double gone_s = 1.0 / 60.0; gone_s < seconds - 1e-9; gone_s += 1.0 / 60.0)
         tool = hand.request({}, shape, 1.0 / 60.0);
     return tool;
 }
-haptics::ToolState next(KioskHand& hand, const pot::Pot& shape) {
+tool::ToolState next(KioskHand& hand, const pot::Pot& shape) {
     return after(hand, shape, 1.0 / 60.0);
 }
 
@@ -54,7 +54,7 @@ TEST_F(KioskHandTest, PressesWhereTheFingerIsAndEndsWithItAtOnce) {
     EXPECT_TRUE(tool.guided && tool.pressing);
     EXPECT_EQ(tool.position_mm, dvec3(80.0, 50.0, 0.0));
     EXPECT_EQ(tool.assist_gap_mm, 0.0) << "the clay knows of the other hand";
-    EXPECT_EQ(tool.side, haptics::SideHint::kByTheWayItCame);
+    EXPECT_EQ(tool.side, tool::Side::kFree);
     hand_.drag({70.0, 60.0});
     EXPECT_EQ(next(hand_, shape_).position_mm, dvec3(70.0, 60.0, 0.0));
     hand_.release();
@@ -255,22 +255,22 @@ TEST(KioskPot, FindsTheThinnestPlaceOfAWall) {
 }
 
 // Frames with that in the hand.
-haptics::ToolState holding(KioskHand& hand, kiosk::Held held, const pot::Pot& shape) {
+tool::ToolState holding(KioskHand& hand, kiosk::Held held, const pot::Pot& shape) {
     return hand.request({.held = held}, shape, 1.0 / 60.0);
 }
 
 TEST_F(KioskHandTest, HoldsWhatItIsGivenAndPressesWithIt) {
-    EXPECT_EQ(holding(hand_, kiosk::Held::kRib, shape_).tool, haptic::kRib);
+    EXPECT_EQ(holding(hand_, kiosk::Held::kRib, shape_).tool, tool::Tool::kRib);
     hand_.press({70.0, 50.0});
     const auto tool = holding(hand_, kiosk::Held::kSponge, shape_);
-    EXPECT_EQ(tool.tool, haptic::kSponge);
+    EXPECT_EQ(tool.tool, tool::Tool::kSponge);
     EXPECT_TRUE(tool.guided && tool.pressing);
-    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).tool, haptics::ToolKind::kHand);
+    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).tool, tool::Tool::kHand);
 }
 
 TEST_F(KioskHandTest, HoldsTheWireBelowTheRimAndMovesItWithoutATouch) {
     EXPECT_FALSE(hand_.wire_mm());
-    EXPECT_EQ(holding(hand_, kiosk::Held::kWire, shape_).command, haptics::WorkCommand::kNone);
+    EXPECT_EQ(holding(hand_, kiosk::Held::kWire, shape_).wire, tool::Wire::kNone);
     EXPECT_EQ(hand_.wire_mm(), 94.0);
     hand_.key(HandKey::kDown, 1.0);
     hand_.key(HandKey::kDown, 1.0);
@@ -287,14 +287,13 @@ TEST_F(KioskHandTest, HoldsTheWireBelowTheRimAndMovesItWithoutATouch) {
 
 TEST_F(KioskHandTest, PullsTheWireThroughOnce) {
     hand_.cut_rim();
-    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).command, haptics::WorkCommand::kNone)
-        << "nobody holds it";
+    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).wire, tool::Wire::kNone) << "nobody holds it";
     holding(hand_, kiosk::Held::kWire, shape_);
     hand_.cut_rim();
     const auto tool = holding(hand_, kiosk::Held::kHand, shape_);
-    EXPECT_EQ(tool.command, haptic::kCutRim);
-    EXPECT_EQ(tool.command_height_mm, 94.0);
-    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).command, haptics::WorkCommand::kNone);
+    EXPECT_EQ(tool.wire, tool::Wire::kCutRim);
+    EXPECT_EQ(tool.wire_height_mm, 94.0);
+    EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).wire, tool::Wire::kNone);
     EXPECT_FALSE(hand_.wire_mm());
 }
 

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <memory>
 
-#include "game/haptic/tools.h"
 #include "game/kiosk/strings.h"
+#include "game/tool/tool.h"
 #include "tests/support/comes_true.h"
 
 namespace onggi::app {
@@ -35,7 +35,7 @@ TEST(KioskSound, HearsBothHandsTheEdgeTheLoadAndTheWater) {
     haptic::Snapshot snapshot = touching();
     snapshot.result.second_forces.stiffness_n = {0.0, 0.0, -1.0};
     snapshot.result.wheel_load_n_mm = -150.0;
-    snapshot.tool.tool = haptic::kTrimmer;
+    snapshot.tool.tool = tool::Tool::kTrimmer;
     pot::Pot shape;
     shape.inner_mm = {50.0F};
     snapshot.pot = &shape;

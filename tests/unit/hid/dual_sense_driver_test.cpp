@@ -65,11 +65,11 @@ TEST_F(DualSenseDriverTest, MovesTheToolWithTheLeftStickAndPressesItInWithTheTri
 TEST_F(DualSenseDriverTest, TurnsTheWheelByCrossOrWhileL2IsPulled) {
     driver.take_report(report_with({{8, 0x28}}), 0);
     driver.take_report(report_with({}), 0);
-    EXPECT_TRUE(driver.input(0).wheel_button);
+    EXPECT_TRUE(driver.input(0).button);
     driver.take_report(report_with({{8, 0x28}}), 0);
-    EXPECT_FALSE(driver.input(0).wheel_button);
+    EXPECT_FALSE(driver.input(0).button);
     driver.take_report(report_with({{8, 0x28}, {5, 0xff}}), 0);
-    EXPECT_TRUE(driver.input(0).wheel_button);
+    EXPECT_TRUE(driver.input(0).button);
 }
 
 TEST_F(DualSenseDriverTest, IsStaleAfterATenthOfASecond) {
@@ -184,9 +184,9 @@ TEST_F(DualSenseDriverTest, LeadsTheToolByTiltWhileL1IsHeld) {
 
 TEST_F(DualSenseDriverTest, TurnsTheWheelTheFasterTheFurtherL2IsPulled) {
     driver.take_report(report_with({{5, 0x80}}), 0);
-    EXPECT_NEAR(driver.input(0).wheel_rev_min, 240.0 * 128.0 / 255.0, 1e-9);
+    EXPECT_NEAR(driver.input(0).rev_min, 240.0 * 128.0 / 255.0, 1e-9);
     driver.take_report(report_with({{5, 0x20}}), 0);
-    EXPECT_EQ(driver.input(0).wheel_rev_min, 0.0);
+    EXPECT_EQ(driver.input(0).rev_min, 0.0);
 }
 
 TEST_F(DualSenseDriverTest, SaysNothingTwiceAndNothingTooOften) {

@@ -1,5 +1,5 @@
 // What is kept in memory in little room comes back to the bit.
-#include "engine/record/packed_bytes.h"
+#include "game/record/packed_bytes.h"
 
 #include <gtest/gtest.h>
 

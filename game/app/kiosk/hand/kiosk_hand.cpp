@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 
 namespace onggi::app {
 namespace {
@@ -38,17 +38,17 @@ constexpr double kWireBelowRimMm = 6.0;  // initial height of the wire
 constexpr double kWireStepMm = 1.0;      // per key press
 constexpr double kLowestCut = 0.5;       // fraction of the height
 
-haptics::ToolKind kind_of(kiosk::Held held) {
+tool::Tool kind_of(kiosk::Held held) {
     switch (held) {
         case kiosk::Held::kRib:
-            return haptic::kRib;
+            return tool::Tool::kRib;
         case kiosk::Held::kSponge:
-            return haptic::kSponge;
+            return tool::Tool::kSponge;
         case kiosk::Held::kHand:
         case kiosk::Held::kWire:
             break;
     }
-    return haptics::ToolKind::kHand;
+    return tool::Tool::kHand;
 }
 
 template <std::size_t count>
@@ -99,7 +99,7 @@ dvec2 OutlineHelp::drawn(const dvec2& finger_mm) const {
     return {std::copysign(std::max(0.0, std::abs(finger_mm.x) + pull_mm), finger_mm.x), finger_mm.y};
 }
 
-haptics::ToolState resting_hand() {
+tool::ToolState resting_hand() {
     return {.position_mm = dvec3(kRestingMm, 0.0), .guided = true, .pressing = false};
 }
 
@@ -238,19 +238,19 @@ void KioskHand::hold_wire(const pot::Pot& shape) {
     wire_mm_ = std::clamp(*wire_mm_, kLowestCut * shape.height_mm, shape.height_mm);
 }
 
-haptics::ToolState KioskHand::request(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
+tool::ToolState KioskHand::request(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
     help_.pass_time(dt_s);
-    haptics::ToolState tool;
+    tool::ToolState tool;
     tool.guided = true;
     if (settings.held == kiosk::Held::kWire) hold_wire(shape);
     tool.position_mm = dvec3(finger_now(shape, dt_s), 0.0);
     tool.pressing = presses_now() && settings.held != kiosk::Held::kWire;
     shown_before_mm_ = finger_mm_;
     marker_mm_ = settings.held == kiosk::Held::kWire ? std::nullopt : marker_.place_mm(shape);
-    tool.tool = settings.trims ? haptic::kTrimmer : kind_of(settings.held);
+    tool.tool = settings.trims ? tool::Tool::kTrimmer : kind_of(settings.held);
     if (std::exchange(cuts_, false)) {
-        tool.command = haptic::kCutRim;
-        tool.command_height_mm = *wire_mm_;
+        tool.wire = tool::Wire::kCutRim;
+        tool.wire_height_mm = *wire_mm_;
     }
     if (settings.held != kiosk::Held::kWire) wire_mm_.reset();
     tool.radius_mm = step_of(settings.trims ? kLoopRadiiMm : kToolRadiiMm, settings.tool);

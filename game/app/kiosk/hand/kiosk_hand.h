@@ -9,12 +9,12 @@
 #include <span>
 #include <vector>
 
-#include "engine/haptics/tool_state.h"
 #include "engine/math/math.h"
 #include "game/app/kiosk/hand/kiosk_marker.h"
 #include "game/app/kiosk/hand/kiosk_touch.h"
 #include "game/kiosk/state.h"
 #include "game/pot/pot.h"
+#include "game/tool/tool_state.h"
 
 namespace onggi::app {
 
@@ -49,7 +49,7 @@ struct HandSettings {
 };
 
 // An idle hand away from the clay.
-[[nodiscard]] haptics::ToolState resting_hand();
+[[nodiscard]] tool::ToolState resting_hand();
 
 class KioskHand {
   public:
@@ -88,8 +88,7 @@ class KioskHand {
     void leave_clay();
 
     // Returns the request for the tool now, dt_s after the last call.
-    [[nodiscard]] haptics::ToolState request(const HandSettings& settings, const pot::Pot& shape,
-                                             double dt_s);
+    [[nodiscard]] tool::ToolState request(const HandSettings& settings, const pot::Pot& shape, double dt_s);
 
     [[nodiscard]] bool works() const { return presser_ != Presser::kNobody || touch_.runs(); }
 

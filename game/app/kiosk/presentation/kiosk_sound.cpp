@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/core/units.h"
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 
 namespace onggi::app {
 namespace {
@@ -17,8 +17,8 @@ constexpr double kEdgeMm = 150.0;
 // The torque that nearly stalls a small studio wheel: 3 N at 100 mm.
 constexpr double kStallNMm = 300.0;
 
-bool is_hard(haptics::ToolKind kind) {
-    return kind == haptic::kRib || kind == haptic::kTrimmer;
+bool is_hard(tool::Tool kind) {
+    return kind == tool::Tool::kRib || kind == tool::Tool::kTrimmer;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
             .is_hard_tool = is_hard(snapshot.tool.tool),
             .place = std::clamp(at.x / kEdgeMm, -1.0, 1.0),
             .slaps = static_cast<std::uint32_t>(snapshot.run),
-            .is_plucked = snapshot.tool.command != haptics::WorkCommand::kNone,
+            .is_plucked = snapshot.tool.wire != tool::Wire::kNone,
             .volume = volume};
 }
 

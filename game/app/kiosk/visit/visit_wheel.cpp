@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 
 namespace onggi::app {
 namespace {
@@ -189,12 +189,12 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
     if (demo_runs_ && play_show(moment)) return;
     const kiosk::Throwing& throwing = flow_.state().throwing;
     const bool trims = flow_.state().screen == Screen::kTrim;
-    haptics::ToolState tool = hand_.request({.held = throwing.held,
-                                             .tool = trims ? flow_.state().trimming.loop : throwing.tool,
-                                             .water = throwing.water,
-                                             .speed = throwing.speed,
-                                             .trims = trims},
-                                            *moment.snapshot.pot, moment.dt_s);
+    tool::ToolState tool = hand_.request({.held = throwing.held,
+                                          .tool = trims ? flow_.state().trimming.loop : throwing.tool,
+                                          .water = throwing.water,
+                                          .speed = throwing.speed,
+                                          .trims = trims},
+                                         *moment.snapshot.pot, moment.dt_s);
     const bool throws = trims || flow_.state().screen == Screen::kThrow ||
                         flow_.state().screen == Screen::kFailure || flow_.state().screen == Screen::kChoose ||
                         flow_.state().screen == Screen::kAttract;
@@ -206,7 +206,7 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
 // Each time that the wall has gone round under a sponge, the hands are less wet.
 void VisitWheel::soak(const VisitMoment& moment) {
     const haptic::Snapshot& snapshot = moment.snapshot;
-    const bool soaks = snapshot.tool.tool == haptic::kSponge && snapshot.tool.guided &&
+    const bool soaks = snapshot.tool.tool == tool::Tool::kSponge && snapshot.tool.guided &&
                        snapshot.result.grip.grip != clay::studio::Grip::kNone && !hand_.shows();
     soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
     if (soaked_rad_ < kTurn) return;

@@ -1,11 +1,11 @@
-// Inside engine/record only: where in the file what stands. README.md gives the same as a table.
+// Inside game/record only: where in the file what stands. README.md gives the same as a table.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-#include "engine/record/tool_bytes.h"
+#include "game/tool/tool_bytes.h"
 
 namespace onggi::record {
 
@@ -67,9 +67,9 @@ constexpr std::size_t record_bytes(RecordKind kind) {
         case RecordKind::kRepeat:
             return kRepeatBytes;
         case RecordKind::kWholeTool:
-            return kWholeToolBytes;
+            return tool::kWholeToolBytes;
         case RecordKind::kBothPositions:
-            return kBothPositionsBytes;
+            return tool::kBothPositionsBytes;
     }
     return 0;
 }

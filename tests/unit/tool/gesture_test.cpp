@@ -1,4 +1,4 @@
-#include "engine/haptics/gesture.h"
+#include "game/tool/gesture.h"
 
 #include <gtest/gtest.h>
 
@@ -8,18 +8,18 @@
 #include <string>
 #include <utility>
 
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 #include "tests/support/places.h"
 #include "tests/support/refusal.h"
 
-namespace onggi::haptics {
+namespace onggi::tool {
 namespace {
 
 const std::string kHeader = std::string(kGestureHeader) + "\n";
 
 // The gesture of these rows; the test fails if there is none.
 Gesture gesture_of(const std::string& rows, const std::string& header = kHeader) {
-    auto gesture = parse_gesture(header + rows, "g.csv", haptic::kGestureWords);
+    auto gesture = parse_gesture(header + rows, "g.csv");
     if (!gesture) {
         ADD_FAILURE() << gesture.error().message;
         return std::move(*parse_gesture(kHeader + "0,0,0,0,0,10\n", "g.csv"));
@@ -29,7 +29,7 @@ Gesture gesture_of(const std::string& rows, const std::string& header = kHeader)
 
 // The one line with which a text is refused.
 std::string refusal(const std::string& text) {
-    const std::string line = test::refusal(parse_gesture(text, "g.csv", haptic::kGestureWords));
+    const std::string line = test::refusal(parse_gesture(text, "g.csv"));
     EXPECT_LT(line.size(), 300U);
     return line;
 }
@@ -46,7 +46,7 @@ TEST(Gesture, IsReadRowByRow) {
 
 TEST(Gesture, MayEndItsLinesAsWindowsDoesAndTheLastNotAtAll) {
     const std::string text = "t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\r\n0,1,2,3,0,10\r\n1,1,2,3,1,10";
-    const auto gesture = parse_gesture(text, "g.csv", haptic::kGestureWords);
+    const auto gesture = parse_gesture(text, "g.csv");
     ASSERT_TRUE(gesture) << gesture.error().message;
     EXPECT_EQ(gesture->rows().size(), 2U);
     EXPECT_EQ(gesture->rows()[1].tool.radius_mm, 10);
@@ -62,29 +62,28 @@ TEST(Gesture, SaysToAClayWithAnInsideWhatItsExtraColumnsName) {
             "hand2_z_mm,hand2_radius_mm,hand2_tool\n");
     ASSERT_EQ(gesture.rows().size(), 3U);
     const ToolState& first = gesture.rows()[0].tool;
-    EXPECT_EQ(first.tool, haptic::kSponge);
+    EXPECT_EQ(first.tool, Tool::kSponge);
     EXPECT_EQ(first.side, SideHint::kInside);
     EXPECT_EQ(first.water, 1.0);
     EXPECT_EQ(first.wheel_speed_rev_min, 90.0);
     EXPECT_EQ(first.assist_gap_mm, 6.5);
     EXPECT_EQ(first.shaft_mm, 3.0);
-    EXPECT_EQ(first.command, haptic::kCutRim);
-    EXPECT_EQ(first.command_height_mm, 88.0);
-    EXPECT_EQ(
-        first.second,
-        (SecondHand{
-            .present = true, .tool = haptic::kRib, .radius_mm = 7.0, .position_mm = {-30.0, 20.0, 5.0}}));
+    EXPECT_EQ(first.wire, Wire::kCutRim);
+    EXPECT_EQ(first.wire_height_mm, 88.0);
+    EXPECT_EQ(first.second,
+              (SecondHand{
+                  .present = true, .tool = Tool::kRib, .radius_mm = 7.0, .position_mm = {-30.0, 20.0, 5.0}}));
     // What a row leaves empty is as by default; a second hand is as large as the first.
     const ToolState& second = gesture.rows()[1].tool;
     EXPECT_EQ(second.tool, ToolKind::kHand);
     EXPECT_EQ(second.wheel_speed_rev_min, ToolState{}.wheel_speed_rev_min);
     EXPECT_EQ(second.second.radius_mm, 8.0);
-    EXPECT_EQ(gesture.rows()[2].tool.command, haptic::kCutOff);
+    EXPECT_EQ(gesture.rows()[2].tool.wire, Wire::kCutOff);
     EXPECT_FALSE(gesture.rows()[2].tool.second.present);
     EXPECT_EQ(gesture.rows()[2].tool.second, SecondHand{});
     // The second hand goes straight from row to row, as the first does, and its settings hold.
     EXPECT_EQ(gesture.at(0.5).second.position_mm, dvec3(-30.0, 40.0, 5.0));
-    EXPECT_EQ(gesture.at(0.5).second.tool, haptic::kRib);
+    EXPECT_EQ(gesture.at(0.5).second.tool, Tool::kRib);
     EXPECT_EQ(gesture.at(1.5).second.position_mm, dvec3(-30.0, 60.0, 5.0)) << "there is nowhere to go";
 }
 
@@ -204,24 +203,11 @@ TEST(Gesture, HasATickAtItsLastRowEvenWhenTheNumberFallsShort) {
     EXPECT_EQ(gesture_of("0,0,0,0,0,10\n3600,0,0,0,0,10\n").tick_count(10000), 36000001U);
 }
 
-TEST(GesturePlayer, ReadsTickKAtExactlyKOverTheRate) {
-    const Gesture gesture = gesture_of("0,0,0,0,0,10\n1,1000,0,0,0,10\n");
-    GesturePlayer player(gesture, 1000.0);
-    ASSERT_TRUE(player.open());
-    EXPECT_EQ(player.tick_count(), 1001U);
-    for (const std::uint64_t tick : {0U, 1U, 3U, 333U, 999U, 1000U, 5000U}) {
-        EXPECT_EQ(player.read(tick, 0.001), gesture.at(static_cast<double>(tick) / 1000.0));
-    }
-    EXPECT_EQ(player.capabilities().force_axes, 0);
-    player.write({1, 2, 3});
-    EXPECT_EQ(player.last_force_n(), dvec3(1, 2, 3));
-}
-
 TEST(Gesture, ReadsTheSampleGestures) {
     for (const char* name : {"vase", "touch-still", "press-and-hold"}) {
         std::ifstream file(test::in_checkout("assets/gestures/") + name + ".csv", std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(file), {}};
-        const auto gesture = parse_gesture(text, name, haptic::kGestureWords);
+        const auto gesture = parse_gesture(text, name);
         EXPECT_TRUE(gesture) << gesture.error().message;
     }
 }
@@ -360,4 +346,4 @@ TEST(GestureStart, TellsAWrongFileByItsFirstBytes) {
 }
 
 }  // namespace
-}  // namespace onggi::haptics
+}  // namespace onggi::tool

@@ -11,8 +11,8 @@
 
 #include "engine/core/result.h"
 #include "engine/files/atomic_file.h"
-#include "engine/haptics/tool_state.h"
-#include "engine/record/session_format.h"
+#include "game/record/session_format.h"
+#include "game/tool/tool_state.h"
 
 namespace onggi::record {
 
@@ -30,9 +30,9 @@ class SessionWriter {
 
     // One tick: what the hand did and the force F that was answered. Fails if the tool is outside the limits
     // of tool_state.h, which the tick never lets through. Precondition: !block_is_full().
-    Result<void> add_tick(const haptics::ToolState& tool, const dvec3& force_n);
+    Result<void> add_tick(const tool::ToolState& tool, const dvec3& force_n);
     // The same for a force of which only its force_check() was kept.
-    Result<void> add_tick(const haptics::ToolState& tool, std::uint32_t kept_force_check);
+    Result<void> add_tick(const tool::ToolState& tool, std::uint32_t kept_force_check);
     // After every kHashInterval ticks a block is full, and wants the hash of the state after its last tick.
     [[nodiscard]] bool block_is_full() const { return ticks_in_block_ == kHashInterval; }
     Result<void> end_block(std::uint64_t state_hash);
@@ -52,7 +52,7 @@ class SessionWriter {
 
   private:
     SessionWriter(files::AtomicFile file, const SessionHeader& header, std::span<const std::byte> supplement);
-    void keep_tool(const haptics::ToolState& tool);
+    void keep_tool(const tool::ToolState& tool);
     void flush_run();
 
     files::AtomicFile file_;
@@ -61,10 +61,10 @@ class SessionWriter {
     std::uint64_t tick_count_ = 0;
     std::uint64_t block_count_ = 0;
     std::uint32_t ticks_in_block_ = 0;
-    std::vector<std::byte> records_;               // of the block in the making
-    std::vector<std::uint32_t> checks_;            // one a tick of it
-    std::optional<haptics::ToolState> last_tool_;  // within this block: each block stands by itself
-    std::uint32_t run_ = 0;                        // how many ticks more like last_tool_
+    std::vector<std::byte> records_;            // of the block in the making
+    std::vector<std::uint32_t> checks_;         // one a tick of it
+    std::optional<tool::ToolState> last_tool_;  // within this block: each block stands by itself
+    std::uint32_t run_ = 0;                     // how many ticks more like last_tool_
 };
 
 }  // namespace onggi::record

@@ -1,4 +1,4 @@
-#include "engine/haptics/gesture.h"
+#include "game/tool/gesture.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,139 @@
 #include <optional>
 #include <utility>
 
+#include "engine/core/number_in.h"
 #include "engine/core/quote.h"
-#include "engine/haptics/gesture_columns.h"
 
-namespace onggi::haptics {
+namespace onggi::tool {
 namespace {
+
+using haptics::kWorkspaceMm;
+using Complaint = std::optional<std::string>;
+
+// The columns right of tool_radius_mm that are understood. Any other name is somebody else's, and its values
+// are not looked at.
+enum class GestureColumn {
+    kTool,        // one of kToolWords
+    kSide,        // one of kSideWords: where a hand that comes to the clay means to be
+    kWater,       // 0 to 1: how wet the hand or its tool is
+    kWheelSpeed,  // rev/min of the pedal while the button is 1
+    kAssistGap,   // mm between the hand and a second one held opposite; 0: none
+    kShaft,       // mm, radius of what carries an inside tool from above
+    kWire,        // one of kWireWords
+    kWireHeight,  // mm
+    kSecondX,     // mm; empty in a row in which there is no second hand
+    kSecondY,
+    kSecondZ,
+    kSecondRadius,  // mm; without the column as large as the first
+    kSecondTool,    // as tool
+    kGuided,        // 0 or 1: the place is a finger's, which skilled hands follow
+    kPressing,      // 0 or 1: without it no hand is in the clay
+    kNotOurs,
+};
+
+// Whether it is one of the three that say where the second hand is.
+constexpr bool is_place_of_second(GestureColumn column) {
+    return column == GestureColumn::kSecondX || column == GestureColumn::kSecondY ||
+           column == GestureColumn::kSecondZ;
+}
+
+Complaint take_number(std::string_view field, double least, double most, double& number) {
+    const auto found = number_in<double>(field);
+    if (!found || !std::isfinite(*found)) return "a finite number";
+    if (*found < least || *found > most) return fmt::format("{} to {}", least, most);
+    number = *found;
+    return std::nullopt;
+}
+
+// The words stand in the order of the enum's numbers.
+template <typename Enum>
+Complaint take_word(std::string_view field, std::span<const std::string_view> words, Enum& value) {
+    const auto found = std::find(words.begin(), words.end(), field);
+    if (found == words.end()) return fmt::format("{}", fmt::join(words, ", "));
+    value = static_cast<Enum>(found - words.begin());
+    return std::nullopt;
+}
+
+Complaint take_bit(std::string_view field, bool& bit) {
+    if (field != "0" && field != "1") return "0 or 1";
+    bit = field == "1";
+    return std::nullopt;
+}
+
+// The columns' names in the order of GestureColumn, kNotOurs excepted.
+constexpr std::array<std::string_view, 15> kNames{
+    "tool",       "side",      "water",      "wheel_rev_min", "assist_gap_mm", "shaft_mm",
+    "wire",       "wire_y_mm", "hand2_x_mm", "hand2_y_mm",    "hand2_z_mm",    "hand2_radius_mm",
+    "hand2_tool", "guided",    "pressing"};
+
+Complaint take_coordinate(std::string_view field, double& number, bool& present) {
+    auto complaint = take_number(field, -kWorkspaceMm, kWorkspaceMm, number);
+    present = !complaint;
+    return complaint;
+}
+
+GestureColumn gesture_column(std::string_view name) {
+    return static_cast<GestureColumn>(std::find(kNames.begin(), kNames.end(), name) - kNames.begin());
+}
+
+// Takes one field of one row. An empty one leaves what the row has by default. Returns what was expected
+// where the field is not that.
+Complaint take_field(GestureColumn column, std::string_view field, ToolState& tool) {
+    if (field.empty()) return std::nullopt;
+    SecondHand& second = tool.second;
+    switch (column) {
+        case GestureColumn::kTool:
+            return take_word(field, kToolWords, tool.tool);
+        case GestureColumn::kSide:
+            return take_word(field, kSideWords, tool.side);
+        case GestureColumn::kWater:
+            return take_number(field, 0.0, 1.0, tool.water);
+        case GestureColumn::kWheelSpeed:
+            return take_number(field, 0.0, kMaxWheelSpeedRevMin, tool.wheel_speed_rev_min);
+        case GestureColumn::kAssistGap:
+            return take_number(field, 0.0, kMaxAssistGapMm, tool.assist_gap_mm);
+        case GestureColumn::kShaft:
+            return take_number(field, 0.0, kMaxToolRadiusMm, tool.shaft_mm);
+        case GestureColumn::kWire:
+            return take_word(field, kWireWords, tool.wire);
+        case GestureColumn::kWireHeight:
+            return take_number(field, 0.0, kWorkspaceMm, tool.wire_height_mm);
+        case GestureColumn::kSecondX:
+            return take_coordinate(field, second.position_mm.x, second.present);
+        case GestureColumn::kSecondY:
+            return take_number(field, -kWorkspaceMm, kWorkspaceMm, second.position_mm.y);
+        case GestureColumn::kSecondZ:
+            return take_number(field, -kWorkspaceMm, kWorkspaceMm, second.position_mm.z);
+        case GestureColumn::kSecondRadius:
+            return take_number(field, kMinToolRadiusMm, kMaxToolRadiusMm, second.radius_mm);
+        case GestureColumn::kSecondTool:
+            return take_word(field, kToolWords, second.tool);
+        case GestureColumn::kGuided:
+            return take_bit(field, tool.guided);
+        case GestureColumn::kPressing:
+            return take_bit(field, tool.pressing);
+        case GestureColumn::kNotOurs:
+            break;
+    }
+    return std::nullopt;
+}
+
+// The name of a column that one of these needs and that is not among them: the wire its height, a second hand
+// its whole place.
+std::optional<std::string_view> missing_column(const std::vector<GestureColumn>& columns) {
+    using enum GestureColumn;
+    const auto name_of = [](GestureColumn column) { return kNames[static_cast<std::size_t>(column)]; };
+    const auto has = [&](GestureColumn column) {
+        return std::find(columns.begin(), columns.end(), column) != columns.end();
+    };
+    if (has(kWire) && !has(kWireHeight)) return name_of(kWireHeight);
+    constexpr std::array kSecond{kSecondX, kSecondY, kSecondZ, kSecondRadius, kSecondTool};
+    if (std::none_of(kSecond.begin(), kSecond.end(), has)) return std::nullopt;
+    for (const GestureColumn column : std::span(kSecond).first(3)) {
+        if (!has(column)) return name_of(column);
+    }
+    return std::nullopt;
+}
 
 constexpr std::array<std::string_view, 6> kColumns{"t_s", "x_mm", "y_mm", "z_mm", "button", "tool_radius_mm"};
 enum Column : std::size_t { kTime, kX, kY, kZ, kButton, kRadius };
@@ -85,7 +213,7 @@ struct Header {
     std::vector<GestureColumn> columns;  // what each of them is
 };
 
-Result<Header> parse_header(const Line& line, std::string_view name, const GestureWords& words) {
+Result<Header> parse_header(const Line& line, std::string_view name) {
     if (line.text.starts_with(kByteOrderMark)) {
         return at_line(
             name, line.number,
@@ -110,9 +238,9 @@ Result<Header> parse_header(const Line& line, std::string_view name, const Gestu
                                        kColumns.size() + extra.size() + 1, in_quotes(*field)));
         }
         extra.emplace_back(*field);
-        header.columns.push_back(gesture_column(*field, words));
+        header.columns.push_back(gesture_column(*field));
     }
-    if (const auto missing = missing_column(header.columns, words)) {
+    if (const auto missing = missing_column(header.columns)) {
         return at_line(name, line.number,
                        fmt::format("expected a column {} beside the others, found none", *missing));
     }
@@ -122,11 +250,7 @@ Result<Header> parse_header(const Line& line, std::string_view name, const Gestu
 // One row's fields into numbers; the first thing wrong is kept, as a sentence.
 class RowParser {
   public:
-    RowParser(std::string_view name, const Line& line, const GestureWords& words)
-        : name_(name),
-          words_(words),
-          line_(line),
-          fields_(line.text) {}
+    RowParser(std::string_view name, const Line& line) : name_(name), line_(line), fields_(line.text) {}
 
     double number(Column column, double least, double most) {
         const auto field = value(column);
@@ -164,7 +288,7 @@ class RowParser {
             const auto field = fields_.next();
             if (!field) {
                 missing(header.extra[i]);
-            } else if (const auto expected = take_field(header.columns[i], *field, words_, tool)) {
+            } else if (const auto expected = take_field(header.columns[i], *field, tool)) {
                 fail(header.extra[i], *expected, *field);
             } else if (is_place_of_second(header.columns[i])) {
                 if (field->empty()) empty_place = header.extra[i];
@@ -205,27 +329,26 @@ class RowParser {
     }
 
     std::string_view name_;
-    const GestureWords& words_;
     Line line_;
     FieldReader fields_;
     std::optional<Error> error_;
 };
 
 // The header line's reading is all that a start is checked for.
-Result<Header> read_header(LineReader& lines, std::string_view name, const GestureWords& words) {
+Result<Header> read_header(LineReader& lines, std::string_view name) {
     if (lines.at_end()) {
         return at_line(name, 1, fmt::format("expected the header {}, found an empty file", kGestureHeader));
     }
     const auto line = lines.next();
     if (!line) return line_too_long(name, lines.number());
-    return parse_header(*line, name, words);
+    return parse_header(*line, name);
 }
 
 }  // namespace
 
-Result<Gesture> parse_gesture(std::string_view text, std::string_view name, const GestureWords& words) {
+Result<Gesture> parse_gesture(std::string_view text, std::string_view name) {
     LineReader lines(text);
-    auto header = read_header(lines, name, words);
+    auto header = read_header(lines, name);
     if (!header) return header.error();
 
     Gesture gesture;
@@ -234,7 +357,7 @@ Result<Gesture> parse_gesture(std::string_view text, std::string_view name, cons
     while (!lines.at_end()) {
         const auto line = lines.next();
         if (!line) return line_too_long(name, lines.number());
-        RowParser parser(name, *line, words);
+        RowParser parser(name, *line);
         Gesture::Row row;
         row.t_s = parser.number(kTime, 0.0, kMaxGestureSeconds);
         parser.time_after(previous_s, row.t_s);
@@ -254,9 +377,9 @@ Result<Gesture> parse_gesture(std::string_view text, std::string_view name, cons
     return gesture;
 }
 
-Result<void> check_gesture_start(std::string_view start, std::string_view name, const GestureWords& words) {
+Result<void> check_gesture_start(std::string_view start, std::string_view name) {
     LineReader lines(start);
-    if (const auto header = read_header(lines, name, words); !header) return header.error();
+    if (const auto header = read_header(lines, name); !header) return header.error();
     return {};
 }
 
@@ -280,16 +403,4 @@ std::uint64_t Gesture::tick_count(double rate_hz) const noexcept {
     return static_cast<std::uint64_t>(std::floor(duration_s() * rate_hz + 1e-9)) + 1;
 }
 
-GesturePlayer::GesturePlayer(Gesture gesture, double rate_hz)
-    : gesture_(std::move(gesture)),
-      rate_hz_(rate_hz) {}
-
-DeviceCapabilities GesturePlayer::capabilities() const {
-    return {.name = "gesture"};
-}
-
-ToolState GesturePlayer::read(std::uint64_t tick, double /*dt_s*/) noexcept {
-    return gesture_.at_tick(tick, rate_hz_);
-}
-
-}  // namespace onggi::haptics
+}  // namespace onggi::tool

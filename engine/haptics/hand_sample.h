@@ -1,23 +1,25 @@
-// A hand that may hold the tool: one of several, any of which may come, go, or lie still while another works.
-// Hands (hands.h) lets one of them have the tool.
+// What a device reads of the hand that holds it at one instant, and whether that hand does something. What
+// the hand works with, and on what, only the program knows. mm.
 #pragma once
 
-#include <cmath>
 #include <utility>
 
-#include "engine/haptics/haptic_device.h"
+#include "engine/math/math.h"
 
 namespace onggi::haptics {
 
-class Hand : public HapticDevice {
-  public:
-    // All of these: haptic thread, after read() and about what it read. Wait-free.
-    // Plugged in and heard. A hand that is not here has no wishes: what it read does not count.
-    [[nodiscard]] virtual bool is_here() const noexcept = 0;
-    // The person does something with it: beyond the device's noise, not merely holding it.
-    [[nodiscard]] virtual bool is_moving() const noexcept = 0;
-    // Another hand has brought the tool here; go on from there where the device can.
-    virtual void take_over(const ToolState& tool) noexcept = 0;
+constexpr double kWorkspaceMm = 1000.0;  // each coordinate of a place lies within +-
+
+struct HandSample {
+    dvec3 position_mm{0.0};  // the haptic interface point; wheel frame, +Y up
+    bool button = false;     // held: the work turns
+    double rev_min = 120.0;  // the pedal's axis: how fast it turns then
+    // The place is that of a finger on the upright plane through the axis (x, y), not that of a ball in the
+    // work.
+    bool on_screen = false;
+    bool presses = true;  // a finger may hover
+
+    friend bool operator==(const HandSample&, const HandSample&) = default;
 };
 
 // Tells a hand at work from one that rests: by how far it has come, not by how fast, so that slow work counts

@@ -14,10 +14,10 @@
 
 #include <cstdint>
 
-#include "engine/haptics/hand.h"
 #include "engine/jobs/mailbox.h"
+#include "game/haptic/tool_device.h"
 
-namespace onggi::haptics {
+namespace onggi::haptic {
 
 struct SimulatedDeviceModel {
     double mass_kg = 0.02;
@@ -27,54 +27,53 @@ struct SimulatedDeviceModel {
     double damping_n_s_per_mm = 0.004;
 };
 
-class SimulatedDevice final : public Hand {
+class SimulatedDevice final : public ToolDevice {
   public:
     explicit SimulatedDevice(const SimulatedDeviceModel& model = {}) : model_(model) {}
 
     // Main thread, any time, wait-free: where the hand wants the tool to be, its radius and the wheel button.
-    // Brought within the limits of tool_state.h. A read finds the newest target alone; a command of one that
-    // no read has found is done at the next.
-    void set_target(const ToolState& target) noexcept;
+    // Brought within the limits of tool_state.h. A read finds the newest target alone; a cut of one that no
+    // read has found is made at the next.
+    void set_target(const tool::ToolState& target) noexcept;
 
     // Never fails. The tool starts at rest at the target.
     Result<void> open() override;
     void close() noexcept override {}
-    [[nodiscard]] DeviceCapabilities capabilities() const override;
+    [[nodiscard]] haptics::DeviceCapabilities capabilities() const override;
 
     // Moves the mass by dt_s under the force last written.
-    [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override;
     void write(const dvec3& force_n) noexcept override { force_n_ = force_n; }
 
-    // Haptic thread, or before open: the next read starts at rest at the target, and knows of no command
-    // before that one's.
+    // Haptic thread, or before open: the next read starts at rest at the target, and knows of no cut before
+    // that one's.
     void rest() noexcept;
 
-    [[nodiscard]] bool is_here() const noexcept override { return true; }
     [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
-    void take_over(const ToolState& tool) noexcept override;
+    void take_over(const dvec3& position_mm) noexcept override;
 
   private:
     struct Target {
-        ToolState tool;
-        // The last command that any target had, and how many there have been.
-        WorkCommand command = WorkCommand::kNone;
-        double command_height_mm = 0.0;
-        std::uint64_t commands = 0;
+        tool::ToolState tool;
+        // The last cut that any target had, and how many there have been.
+        tool::Wire wire = tool::Wire::kNone;
+        double wire_height_mm = 0.0;
+        std::uint64_t cuts = 0;
     };
 
     SimulatedDeviceModel model_;
     Target last_target_;  // main thread only
     jobs::Mailbox<Target> target_;
     // Haptic thread only.
-    std::uint64_t commands_done_ = 0;
+    std::uint64_t cuts_done_ = 0;
     dvec3 position_mm_{0.0};
     dvec3 velocity_mm_s_{0.0};
     dvec3 force_n_{0.0};
     bool at_rest_ = true;  // the next read starts at the target
-    MotionSense sense_{1.0};
+    haptics::MotionSense sense_{1.0};
     bool last_button_ = false;
     bool last_pressing_ = true;
     bool is_moving_ = false;
 };
 
-}  // namespace onggi::haptics
+}  // namespace onggi::haptic

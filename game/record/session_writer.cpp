@@ -1,4 +1,4 @@
-#include "engine/record/session_writer.h"
+#include "game/record/session_writer.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/core/little_endian.h"
-#include "engine/record/layout.h"
+#include "game/record/layout.h"
 
 namespace onggi::record {
 
@@ -101,10 +101,10 @@ bool same_position(const dvec3& a, const dvec3& b) {
 }
 
 // All but where the hands are.
-bool same_settings(const haptics::ToolState& a, const haptics::ToolState& b) {
+bool same_settings(const tool::ToolState& a, const tool::ToolState& b) {
     return same_bits(a.radius_mm, b.radius_mm) && a.wheel_button == b.wheel_button && a.tool == b.tool &&
-           a.side == b.side && same_bits(a.water, b.water) && a.command == b.command &&
-           same_bits(a.command_height_mm, b.command_height_mm) &&
+           a.side == b.side && same_bits(a.water, b.water) && a.wire == b.wire &&
+           same_bits(a.wire_height_mm, b.wire_height_mm) &&
            same_bits(a.wheel_speed_rev_min, b.wheel_speed_rev_min) &&
            same_bits(a.assist_gap_mm, b.assist_gap_mm) && same_bits(a.shaft_mm, b.shaft_mm) &&
            a.second.present == b.second.present && a.second.tool == b.second.tool &&
@@ -113,8 +113,8 @@ bool same_settings(const haptics::ToolState& a, const haptics::ToolState& b) {
 }
 
 // Nothing but what a plain tool record holds.
-bool is_plain(const haptics::ToolState& tool) {
-    const haptics::ToolState plain = haptics::plain_tool(tool);
+bool is_plain(const tool::ToolState& tool) {
+    const tool::ToolState plain = tool::plain_tool(tool);
     return same_settings(tool, plain) && same_position(tool.second.position_mm, plain.second.position_mm);
 }
 
@@ -149,17 +149,17 @@ SessionWriter::SessionWriter(files::AtomicFile file, const SessionHeader& header
       supplement_(supplement.begin(), supplement.end()) {
     checks_.reserve(kHashInterval);
     const bool is_whole = header.tool_detail == ToolDetail::kWhole;
-    records_.reserve(kHashInterval * (1 + (is_whole ? kWholeToolBytes : kToolBytes)));
+    records_.reserve(kHashInterval * (1 + (is_whole ? tool::kWholeToolBytes : kToolBytes)));
 }
 
-Result<void> SessionWriter::add_tick(const haptics::ToolState& tool, const dvec3& force_n) {
+Result<void> SessionWriter::add_tick(const tool::ToolState& tool, const dvec3& force_n) {
     return add_tick(tool, force_check(force_n));
 }
 
-Result<void> SessionWriter::add_tick(const haptics::ToolState& tool, std::uint32_t kept_force_check) {
+Result<void> SessionWriter::add_tick(const tool::ToolState& tool, std::uint32_t kept_force_check) {
     assert(!block_is_full());
     const dvec3& at = tool.position_mm;
-    if (haptics::within_limits(tool, {}) != tool) {
+    if (tool::within_limits(tool, {}) != tool) {
         return failed(
             fmt::format("session: tick {}: expected a tool within its limits, found one at ({}, {}, "
                         "{}) mm of radius {} mm",
@@ -179,7 +179,7 @@ Result<void> SessionWriter::add_tick(const haptics::ToolState& tool, std::uint32
     return {};
 }
 
-void SessionWriter::keep_tool(const haptics::ToolState& tool) {
+void SessionWriter::keep_tool(const tool::ToolState& tool) {
     const bool same_tool = last_tool_ && same_settings(*last_tool_, tool);
     const bool same_first = same_tool && same_position(last_tool_->position_mm, tool.position_mm);
     const bool same_second =
@@ -195,7 +195,7 @@ void SessionWriter::keep_tool(const haptics::ToolState& tool) {
         put_position(records_, tool.position_mm);
     } else if (same_tool) {
         open(RecordKind::kBothPositions);
-        put_both_positions(records_, tool);
+        tool::put_both_positions(records_, tool);
     } else if (is_plain(tool)) {
         open(RecordKind::kTool);
         put_position(records_, tool.position_mm);
@@ -203,7 +203,7 @@ void SessionWriter::keep_tool(const haptics::ToolState& tool) {
         put(records_, static_cast<std::uint8_t>(tool.wheel_button ? 1 : 0));
     } else {
         open(RecordKind::kWholeTool);
-        put_whole_tool(records_, tool);
+        tool::put_whole_tool(records_, tool);
     }
     last_tool_ = tool;
 }

@@ -1,16 +1,16 @@
-#include "engine/haptics/simulated_device.h"
+#include "game/haptic/simulated_device.h"
 
 #include "engine/haptics/safety_chain.h"
 
-namespace onggi::haptics {
+namespace onggi::haptic {
 
-void SimulatedDevice::set_target(const ToolState& target) noexcept {
-    const WorkCommand before = last_target_.tool.command;
-    const ToolState tool = last_target_.tool = within_limits(target, last_target_.tool);
-    if (tool.command != WorkCommand::kNone && tool.command != before) {
-        last_target_.command = tool.command;
-        last_target_.command_height_mm = tool.command_height_mm;
-        ++last_target_.commands;
+void SimulatedDevice::set_target(const tool::ToolState& target) noexcept {
+    const tool::Wire before = last_target_.tool.wire;
+    const tool::ToolState tool = last_target_.tool = within_limits(target, last_target_.tool);
+    if (tool.wire != tool::Wire::kNone && tool.wire != before) {
+        last_target_.wire = tool.wire;
+        last_target_.wire_height_mm = tool.wire_height_mm;
+        ++last_target_.cuts;
     }
     target_.put(last_target_);
 }
@@ -23,33 +23,33 @@ Result<void> SimulatedDevice::open() {
 void SimulatedDevice::rest() noexcept {
     velocity_mm_s_ = force_n_ = dvec3(0.0);
     at_rest_ = true;
-    commands_done_ = target_.latest().commands;
+    cuts_done_ = target_.latest().cuts;
 }
 
-DeviceCapabilities SimulatedDevice::capabilities() const {
+haptics::DeviceCapabilities SimulatedDevice::capabilities() const {
     return {.name = "simulated device (mouse or touch)",
             .force_axes = 3,
-            .peak_force_n = kKioskPeakForceN,
-            .continuous_force_n = kKioskPeakForceN,
+            .peak_force_n = haptics::kKioskPeakForceN,
+            .continuous_force_n = haptics::kKioskPeakForceN,
             .max_stiffness_n_per_mm = 0.5,
             .position_resolution_mm = 0.0,
             .has_motors = false};
 }
 
-void SimulatedDevice::take_over(const ToolState& tool) noexcept {
-    position_mm_ = tool.position_mm;
+void SimulatedDevice::take_over(const dvec3& position_mm) noexcept {
+    position_mm_ = position_mm;
     velocity_mm_s_ = force_n_ = dvec3(0.0);
     at_rest_ = false;
 }
 
-ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
+tool::ToolState SimulatedDevice::read_tool(std::uint64_t /*tick*/, double dt_s) noexcept {
     const Target& newest = target_.latest();
-    ToolState target = newest.tool;
-    // Whoever is late for a target has not heard its command.
-    if (newest.commands != commands_done_) {
-        commands_done_ = newest.commands;
-        target.command = newest.command;
-        target.command_height_mm = newest.command_height_mm;
+    tool::ToolState target = newest.tool;
+    // Whoever is late for a target has not heard of its cut.
+    if (newest.cuts != cuts_done_) {
+        cuts_done_ = newest.cuts;
+        target.wire = newest.wire;
+        target.wire_height_mm = newest.wire_height_mm;
     }
     // Who lays a finger down does something, also where it lay before.
     is_moving_ = sense_.moved_to(target.position_mm) || target.wheel_button != last_button_ ||
@@ -78,4 +78,4 @@ ToolState SimulatedDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     return target;
 }
 
-}  // namespace onggi::haptics
+}  // namespace onggi::haptic

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/haptics/haptic_device.h"
-#include "engine/haptics/tool_state.h"
-#include "engine/record/session_format.h"
+#include "game/record/session_format.h"
+#include "game/tool/tool_state.h"
 
 namespace onggi::record {
 
@@ -82,7 +81,7 @@ class SessionCursor {
 
     // The tool at `tick`; after the last tick, that of the last; a resting tool where there is none. Cheap
     // for the same and the next tick; any other is looked for from its block's start.
-    [[nodiscard]] haptics::ToolState at(std::uint64_t tick) noexcept;
+    [[nodiscard]] tool::ToolState at(std::uint64_t tick) noexcept;
 
   private:
     void enter(std::size_t block) noexcept;
@@ -94,31 +93,7 @@ class SessionCursor {
     std::uint32_t held_ = 0;     // ticks that the present run still covers
     std::uint64_t tick_ = 0;     // whose tool `tool_` is, if entered_
     bool entered_ = false;
-    haptics::ToolState tool_;
-};
-
-// A session as a device: reads the recorded hand, feels nothing.
-class SessionPlayer final : public haptics::HapticDevice {
-  public:
-    explicit SessionPlayer(Session session) : session_(std::move(session)), cursor_(session_) {}
-    // The cursor points into the session.
-    SessionPlayer(const SessionPlayer&) = delete;
-    SessionPlayer& operator=(const SessionPlayer&) = delete;
-
-    Result<void> open() override { return {}; }
-    void close() noexcept override {}
-    [[nodiscard]] haptics::DeviceCapabilities capabilities() const override;
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override;
-    void write(const dvec3& force_n) noexcept override { last_force_n_ = force_n; }
-
-    [[nodiscard]] const Session& session() const noexcept { return session_; }
-    [[nodiscard]] std::uint64_t tick_count() const noexcept { return session_.tick_count(); }
-    [[nodiscard]] dvec3 last_force_n() const noexcept { return last_force_n_; }
-
-  private:
-    Session session_;
-    SessionCursor cursor_;
-    dvec3 last_force_n_{0.0};
+    tool::ToolState tool_;
 };
 
 }  // namespace onggi::record

@@ -1,5 +1,5 @@
 // What a device says of the hand, and what it is told of the work: plain values between the I/O thread and
-// the haptic thread, through mailboxes. mm, N, s; wheel frame of tool_state.h, the tool in the plane z = 0
+// the haptic thread, through mailboxes. mm, N, s; wheel frame of hand_sample.h, the tool in the plane z = 0
 // right of the wheel: x is the radius, y the height.
 #pragma once
 
@@ -21,7 +21,6 @@ struct ToolReach {
     double most_height_mm = 250.0;
     double start_radius_mm = 110.0;  // outside the lump
     double start_height_mm = 60.0;
-    double tool_radius_mm = 10.0;
 
     [[nodiscard]] dvec2 within(const dvec2& radius_height_mm) const noexcept {
         return {std::clamp(radius_height_mm.x, least_radius_mm, most_radius_mm),
@@ -29,7 +28,7 @@ struct ToolReach {
     }
 };
 
-struct HandInput {
+struct DeviceInput {
     enum class Motion : std::uint8_t {
         kNone,  // a pedal: no tool at all
         kRate,  // the hand says how fast the tool moves, mm/s
@@ -42,11 +41,11 @@ struct HandInput {
     // changes are taken from, so that no report is missed.
     dvec2 travelled_mm{0.0};
     double press_mm = 0.0;  // how far the tool reaches inwards from where it stands: a trigger's travel
-    bool wheel_button = false;
-    // How fast the wheel shall turn while its button is held: by itself, 0 for no wish, or by how fast it
+    bool button = false;
+    // How fast the work shall turn while the button is held: by itself, 0 for no wish, or by how fast it
     // shall change.
-    double wheel_rev_min = 0.0;
-    double wheel_change_rev_min_s = 0.0;
+    double rev_min = 0.0;
+    double change_rev_min_s = 0.0;
     bool shows_wall = false;  // what is plugged in answers along the radius by a wall of its own
     bool is_live = false;     // false: nothing plugged in, or silent for too long; nothing above counts
     // The place is known to be as it is said: a report has just come, or the device is one whose silence says

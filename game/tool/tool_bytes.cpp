@@ -1,4 +1,4 @@
-#include "engine/record/tool_bytes.h"
+#include "game/tool/tool_bytes.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,8 @@
 
 #include "engine/core/little_endian.h"
 
-namespace onggi::record {
+namespace onggi::tool {
 
-using haptics::ToolState;
 using little_endian::get_double;
 using little_endian::put;
 
@@ -21,20 +20,19 @@ struct Number {
     double least;
     double most;
 };
-constexpr std::array kNumbers{
-    Number{"a tool radius, mm", haptics::kMinToolRadiusMm, haptics::kMaxToolRadiusMm},
-    Number{"a second tool radius, mm", haptics::kMinToolRadiusMm, haptics::kMaxToolRadiusMm},
-    Number{"an assist's gap, mm", 0.0, haptics::kMaxAssistGapMm},
-    Number{"a command's height, mm", 0.0, haptics::kWorkspaceMm},
-    Number{"a wheel's speed, rev/min", 0.0, haptics::kMaxWheelSpeedRevMin},
-    Number{"a shaft's radius, mm", 0.0, haptics::kMaxToolRadiusMm},
-    Number{"water", 0.0, 1.0}};
+constexpr std::array kNumbers{Number{"a tool radius, mm", kMinToolRadiusMm, kMaxToolRadiusMm},
+                              Number{"a second tool radius, mm", kMinToolRadiusMm, kMaxToolRadiusMm},
+                              Number{"an assist's gap, mm", 0.0, kMaxAssistGapMm},
+                              Number{"a command's height, mm", 0.0, haptics::kWorkspaceMm},
+                              Number{"a wheel's speed, rev/min", 0.0, kMaxWheelSpeedRevMin},
+                              Number{"a shaft's radius, mm", 0.0, kMaxToolRadiusMm},
+                              Number{"water", 0.0, 1.0}};
 
-template <typename Tool>
-auto numbers_of(Tool& tool) {
-    return std::array{
-        &tool.radius_mm,           &tool.second.radius_mm, &tool.assist_gap_mm, &tool.command_height_mm,
-        &tool.wheel_speed_rev_min, &tool.shaft_mm,         &tool.water};
+template <typename State>
+auto numbers_of(State& tool) {
+    return std::array{&tool.radius_mm,      &tool.second.radius_mm,    &tool.assist_gap_mm,
+                      &tool.wire_height_mm, &tool.wheel_speed_rev_min, &tool.shaft_mm,
+                      &tool.water};
 }
 
 // The bytes after the doubles, in the order of the file.
@@ -42,9 +40,9 @@ struct Choice {
     std::string_view what;
     unsigned most;
 };
-constexpr std::array kChoices{Choice{"a button", 1},      Choice{"a tool", haptics::kToolKinds - 1},
-                              Choice{"a side", 3},        Choice{"a command", haptics::kWorkCommands - 1},
-                              Choice{"a second hand", 1}, Choice{"a second tool", haptics::kToolKinds - 1},
+constexpr std::array kChoices{Choice{"a button", 1},      Choice{"a tool", kClayTools - 1},
+                              Choice{"a side", 3},        Choice{"a command", kWireWords.size() - 1},
+                              Choice{"a second hand", 1}, Choice{"a second tool", kClayTools - 1},
                               Choice{"being guided", 1},  Choice{"pressing", 1}};
 
 constexpr std::size_t kChoicesAt = kBothPositionsBytes + kNumbers.size() * 8;
@@ -77,7 +75,7 @@ void put_whole_tool(std::vector<std::byte>& bytes, const ToolState& tool) {
         put(bytes, *number);
     for (const unsigned choice :
          {unsigned{tool.wheel_button}, static_cast<unsigned>(tool.tool), static_cast<unsigned>(tool.side),
-          static_cast<unsigned>(tool.command), unsigned{tool.second.present},
+          static_cast<unsigned>(tool.wire), unsigned{tool.second.present},
           static_cast<unsigned>(tool.second.tool), unsigned{tool.guided}, unsigned{tool.pressing}})
         bytes.push_back(static_cast<std::byte>(choice));
 }
@@ -96,11 +94,11 @@ ToolState get_whole_tool(const std::byte* bytes) noexcept {
         at += 8;
     }
     tool.wheel_button = byte_at(bytes, 0) == 1;
-    tool.tool = static_cast<haptics::ToolKind>(byte_at(bytes, 1));
-    tool.side = static_cast<haptics::SideHint>(byte_at(bytes, 2));
-    tool.command = static_cast<haptics::WorkCommand>(byte_at(bytes, 3));
+    tool.tool = static_cast<Tool>(byte_at(bytes, 1));
+    tool.side = static_cast<Side>(byte_at(bytes, 2));
+    tool.wire = static_cast<Wire>(byte_at(bytes, 3));
     tool.second.present = byte_at(bytes, 4) == 1;
-    tool.second.tool = static_cast<haptics::ToolKind>(byte_at(bytes, 5));
+    tool.second.tool = static_cast<Tool>(byte_at(bytes, 5));
     tool.guided = byte_at(bytes, 6) == 1;
     tool.pressing = byte_at(bytes, 7) == 1;
     return tool;
@@ -128,4 +126,4 @@ std::optional<ToolFault> fault_of_whole_tool(const std::byte* bytes) {
     return std::nullopt;
 }
 
-}  // namespace onggi::record
+}  // namespace onggi::tool

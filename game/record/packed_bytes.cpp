@@ -1,4 +1,4 @@
-#include "engine/record/packed_bytes.h"
+#include "game/record/packed_bytes.h"
 
 #include <zlib.h>
 

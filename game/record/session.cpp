@@ -1,4 +1,4 @@
-#include "engine/record/session.h"
+#include "game/record/session.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "engine/core/little_endian.h"
 #include "engine/core/quote.h"
-#include "engine/record/layout.h"
+#include "game/record/layout.h"
 
 namespace onggi::record {
 
@@ -37,7 +37,7 @@ std::uint32_t Session::force_check_at(std::uint64_t tick) const noexcept {
         at(block.checks_at + static_cast<std::size_t>(tick - block.first_tick) * kCheckBytes));
 }
 
-haptics::ToolState SessionCursor::at(std::uint64_t tick) noexcept {
+tool::ToolState SessionCursor::at(std::uint64_t tick) noexcept {
     if (session_->tick_count() == 0) return {};
     tick = std::min(tick, session_->tick_count() - 1);
     if (!entered_ || tick < tick_ || tick / kHashInterval != block_) {
@@ -73,11 +73,11 @@ void SessionCursor::step() noexcept {
         return;
     }
     if (kind == RecordKind::kWholeTool) {
-        tool_ = get_whole_tool(record);
+        tool_ = tool::get_whole_tool(record);
         return;
     }
     if (kind == RecordKind::kBothPositions) {
-        get_both_positions(record, tool_);
+        tool::get_both_positions(record, tool_);
         return;
     }
     const dvec3 position_mm{get_double(record), get_double(record + 8), get_double(record + 16)};
@@ -86,14 +86,6 @@ void SessionCursor::step() noexcept {
     if (kind == RecordKind::kPosition) return;
     tool_.radius_mm = get_double(record + kPositionBytes);
     tool_.wheel_button = get<std::uint8_t>(record + kToolBytes - 1) == 1;
-}
-
-haptics::DeviceCapabilities SessionPlayer::capabilities() const {
-    return {.name = "session"};
-}
-
-haptics::ToolState SessionPlayer::read(std::uint64_t tick, double /*dt_s*/) noexcept {
-    return cursor_.at(tick);
 }
 
 // Checks a session file as a whole, so that playing it needs no checks.
@@ -325,7 +317,7 @@ std::optional<Error> SessionReader::check_block_head(std::uint32_t tick_count) c
         return error;
     }
     if (auto error = expect_within<std::uint32_t>("bytes of records", block_at::kRecordBytes, 1 + kToolBytes,
-                                                  tick_count * (1 + kWholeToolBytes))) {
+                                                  tick_count * (1 + tool::kWholeToolBytes))) {
         return error;
     }
     if (auto error = expect_within("as the first tick", block_at::kFirstTick, session_.tick_count_,
@@ -378,8 +370,8 @@ std::optional<Error> SessionReader::check_millimetres(std::size_t offset, std::s
 
 std::optional<Error> SessionReader::check_tool(RecordKind kind, std::size_t at) const {
     if (kind == RecordKind::kWholeTool || kind == RecordKind::kBothPositions) {
-        const auto fault = kind == RecordKind::kWholeTool ? fault_of_whole_tool(session_.at(at))
-                                                          : fault_of_both_positions(session_.at(at));
+        const auto fault = kind == RecordKind::kWholeTool ? tool::fault_of_whole_tool(session_.at(at))
+                                                          : tool::fault_of_both_positions(session_.at(at));
         if (!fault) return std::nullopt;
         return wrong_at(at + fault->offset, fault->expected, fault->found);
     }
@@ -390,8 +382,8 @@ std::optional<Error> SessionReader::check_tool(RecordKind kind, std::size_t at) 
         }
     }
     if (kind == RecordKind::kPosition) return std::nullopt;
-    if (auto error = check_millimetres(at + kPositionBytes, "a tool radius", haptics::kMinToolRadiusMm,
-                                       haptics::kMaxToolRadiusMm)) {
+    if (auto error = check_millimetres(at + kPositionBytes, "a tool radius", tool::kMinToolRadiusMm,
+                                       tool::kMaxToolRadiusMm)) {
         return error;
     }
     const std::size_t button_at = at + kToolBytes - 1;

@@ -1,4 +1,4 @@
-#include "engine/haptics/simulated_device.h"
+#include "game/haptic/simulated_device.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "engine/haptics/safety_chain.h"
 
-namespace onggi::haptics {
+namespace onggi::haptic {
 namespace {
 
 constexpr double kRates[] = {100.0, 250.0, 500.0, 1000.0, 4000.0, 10000.0};
@@ -17,7 +17,7 @@ constexpr double kRates[] = {100.0, 250.0, 500.0, 1000.0, 4000.0, 10000.0};
 void start_at_rest(SimulatedDevice& device) {
     device.set_target({.position_mm = {90.0, 100.0, 0.0}});
     ASSERT_TRUE(device.open());
-    EXPECT_EQ(device.read(0, 0.001).position_mm, dvec3(90.0, 100.0, 0.0));
+    EXPECT_EQ(device.read_tool(0, 0.001).position_mm, dvec3(90.0, 100.0, 0.0));
 }
 
 TEST(SimulatedDevice, SettlesAtItsTargetAtEveryRateWithoutOvershoot) {
@@ -28,7 +28,7 @@ TEST(SimulatedDevice, SettlesAtItsTargetAtEveryRateWithoutOvershoot) {
         double nearest_x = 90.0;
         dvec3 at(0.0);
         for (int k = 0; k < static_cast<int>(rate_hz * 0.3); ++k) {
-            at = device.read(0, 1.0 / rate_hz).position_mm;
+            at = device.read_tool(0, 1.0 / rate_hz).position_mm;
             nearest_x = std::min(nearest_x, at.x);
         }
         EXPECT_NEAR(at.x, 60.0, 1e-3) << rate_hz;
@@ -44,7 +44,7 @@ TEST(SimulatedDevice, IsThereWithinATenthOfASecond) {
     device.set_target({.position_mm = {60.0, 100.0, 0.0}});
     dvec3 at(0.0);
     for (int k = 0; k < 100; ++k)
-        at = device.read(0, 0.001).position_mm;
+        at = device.read_tool(0, 0.001).position_mm;
     EXPECT_NEAR(at.x, 60.0, 0.03);
 }
 
@@ -55,7 +55,7 @@ TEST(SimulatedDevice, LagsBehindTheHandByTheForceOverTheCoupling) {
         device.write({3.3, 0.0, -1.0});
         dvec3 at(0.0);
         for (int k = 0; k < static_cast<int>(rate_hz * 0.5); ++k)
-            at = device.read(0, 1.0 / rate_hz).position_mm;
+            at = device.read_tool(0, 1.0 / rate_hz).position_mm;
         EXPECT_NEAR(at.x - 90.0, 16.5, 1e-3) << rate_hz;
         EXPECT_NEAR(at.z, -5.0, 1e-3) << rate_hz;
     }
@@ -84,7 +84,7 @@ TEST(SimulatedDevice, ComesToRestAgainstAStiffWallAtEveryRate) {
             // The hand pushes 10 mm into the wall: 0.2 (x - 50) = 0.5 (60 - x), so x = 57.14 and 1.43 N.
             const auto run = [&](double seconds, auto&& watch) {
                 for (int k = 0; k < static_cast<int>(seconds * rate_hz); ++k) {
-                    const dvec3 at = device.read(0, dt_s).position_mm;
+                    const dvec3 at = device.read_tool(0, dt_s).position_mm;
                     dvec3 force = wall.force(at.x, dt_s);
                     if (limited) force = apply_safety_chain(force, {at, dt_s}, limits, safety);
                     device.write(force);
@@ -117,7 +117,7 @@ TEST(SimulatedDevice, IsUnstableWhereItsBoundSaysSo) {
         double at = 90.01;
         for (int k = 0; k < 200; ++k) {
             device.write({stiffness_n_per_mm * (90.01 - at), 0.0, 0.0});
-            at = device.read(0, 1.0 / rate_hz).position_mm.x;
+            at = device.read_tool(0, 1.0 / rate_hz).position_mm.x;
         }
         return std::abs(at - 90.0) > 1.0;
     };
@@ -131,7 +131,7 @@ TEST(SimulatedDevice, TakesButtonAndRadiusFromTheTargetAtOnce) {
     SimulatedDevice device;
     start_at_rest(device);
     device.set_target({.position_mm = {90.0, 100.0, 0.0}, .radius_mm = 25.0, .wheel_button = true});
-    const ToolState tool = device.read(1, 0.001);
+    const tool::ToolState tool = device.read_tool(1, 0.001);
     EXPECT_EQ(tool.radius_mm, 25.0);
     EXPECT_TRUE(tool.wheel_button);
 }
@@ -141,61 +141,61 @@ TEST(SimulatedDevice, IgnoresATargetThatIsNoNumberAndStaysWithinTheWorkspace) {
     SimulatedDevice device;
     start_at_rest(device);
     device.set_target({.position_mm = {kNoNumber, 0.0, 0.0}, .radius_mm = kNoNumber});
-    EXPECT_EQ(device.read(1, 0.001).position_mm, dvec3(90.0, 100.0, 0.0));
-    EXPECT_EQ(device.read(1, 0.001).radius_mm, 10.0);
+    EXPECT_EQ(device.read_tool(1, 0.001).position_mm, dvec3(90.0, 100.0, 0.0));
+    EXPECT_EQ(device.read_tool(1, 0.001).radius_mm, 10.0);
     device.set_target({.position_mm = {1e9, 0.0, -1e9}, .radius_mm = 1000.0});
-    ToolState tool;
+    tool::ToolState tool;
     for (int k = 0; k < 1000; ++k)
-        tool = device.read(1, 0.001);
-    EXPECT_NEAR(tool.position_mm.x, kWorkspaceMm, 1e-6);
-    EXPECT_NEAR(tool.position_mm.z, -kWorkspaceMm, 1e-6);
-    EXPECT_EQ(tool.radius_mm, kMaxToolRadiusMm);
+        tool = device.read_tool(1, 0.001);
+    EXPECT_NEAR(tool.position_mm.x, haptics::kWorkspaceMm, 1e-6);
+    EXPECT_NEAR(tool.position_mm.z, -haptics::kWorkspaceMm, 1e-6);
+    EXPECT_EQ(tool.radius_mm, tool::kMaxToolRadiusMm);
 }
 
 // A loop that is late for a frame finds the next one's target alone.
-TEST(SimulatedDevice, DoesACommandOnceThoughItsTargetWasReplacedBeforeARead) {
-    constexpr WorkCommand kCommand{1};
+TEST(SimulatedDevice, CutsOnceThoughItsTargetWasReplacedBeforeARead) {
+    constexpr tool::Wire kCut = tool::Wire::kCutRim;
     for (const bool guided : {false, true}) {
         SimulatedDevice device;
         start_at_rest(device);
-        const auto asks = [&](WorkCommand command, double height_mm) {
+        const auto asks = [&](tool::Wire wire, double height_mm) {
             device.set_target({.position_mm = {90.0, 100.0, 0.0},
-                               .command = command,
-                               .command_height_mm = height_mm,
+                               .wire = wire,
+                               .wire_height_mm = height_mm,
                                .guided = guided});
         };
         for (const double height_mm : {94.0, 81.0}) {
-            asks(kCommand, height_mm);
-            asks(WorkCommand::kNone, 0.0);
-            asks(WorkCommand::kNone, 0.0);
-            const ToolState tool = device.read(0, 0.001);
-            EXPECT_EQ(tool.command, kCommand);
-            EXPECT_EQ(tool.command_height_mm, height_mm);
-            EXPECT_EQ(device.read(1, 0.001).command, WorkCommand::kNone);
-            asks(WorkCommand::kNone, 0.0);
-            EXPECT_EQ(device.read(2, 0.001).command, WorkCommand::kNone);
+            asks(kCut, height_mm);
+            asks(tool::Wire::kNone, 0.0);
+            asks(tool::Wire::kNone, 0.0);
+            const tool::ToolState tool = device.read_tool(0, 0.001);
+            EXPECT_EQ(tool.wire, kCut);
+            EXPECT_EQ(tool.wire_height_mm, height_mm);
+            EXPECT_EQ(device.read_tool(1, 0.001).wire, tool::Wire::kNone);
+            asks(tool::Wire::kNone, 0.0);
+            EXPECT_EQ(device.read_tool(2, 0.001).wire, tool::Wire::kNone);
         }
     }
 }
 
-TEST(SimulatedDevice, ForgetsACommandThatNobodyReadBeforeItRested) {
+TEST(SimulatedDevice, ForgetsACutThatNobodyReadBeforeItRested) {
     SimulatedDevice device;
     start_at_rest(device);
-    device.set_target({.position_mm = {90.0, 100.0, 0.0}, .command = WorkCommand{1}});
+    device.set_target({.position_mm = {90.0, 100.0, 0.0}, .wire = tool::Wire::kCutRim});
     device.set_target({.position_mm = {90.0, 100.0, 0.0}});
     device.rest();
-    EXPECT_EQ(device.read(0, 0.001).command, WorkCommand::kNone);
+    EXPECT_EQ(device.read_tool(0, 0.001).wire, tool::Wire::kNone);
 }
 
-TEST(SimulatedDevice, HoldsACommandOnForAsLongAsItsTargetDoes) {
-    constexpr WorkCommand kCommand{1};
+TEST(SimulatedDevice, HoldsTheWireOnForAsLongAsItsTargetDoes) {
+    constexpr tool::Wire kCut = tool::Wire::kCutRim;
     SimulatedDevice device;
     start_at_rest(device);
-    device.set_target({.position_mm = {90.0, 100.0, 0.0}, .command = kCommand, .command_height_mm = 94.0});
+    device.set_target({.position_mm = {90.0, 100.0, 0.0}, .wire = kCut, .wire_height_mm = 94.0});
     for (int tick = 0; tick < 16; ++tick)
-        EXPECT_EQ(device.read(0, 0.001).command, kCommand) << tick;
+        EXPECT_EQ(device.read_tool(0, 0.001).wire, kCut) << tick;
     device.set_target({.position_mm = {90.0, 100.0, 0.0}});
-    EXPECT_EQ(device.read(0, 0.001).command, WorkCommand::kNone);
+    EXPECT_EQ(device.read_tool(0, 0.001).wire, tool::Wire::kNone);
 }
 
 TEST(SimulatedDevice, StartsAtRestAgainWhenItIsOpenedAgain) {
@@ -203,11 +203,11 @@ TEST(SimulatedDevice, StartsAtRestAgainWhenItIsOpenedAgain) {
     start_at_rest(device);
     device.write({3.3, 0.0, 0.0});
     for (int k = 0; k < 10; ++k)
-        static_cast<void>(device.read(0, 0.001));
+        static_cast<void>(device.read_tool(0, 0.001));
     device.close();
     start_at_rest(device);
-    EXPECT_EQ(device.read(1, 0.001).position_mm, dvec3(90.0, 100.0, 0.0));
+    EXPECT_EQ(device.read_tool(1, 0.001).position_mm, dvec3(90.0, 100.0, 0.0));
 }
 
 }  // namespace
-}  // namespace onggi::haptics
+}  // namespace onggi::haptic

@@ -1,9 +1,9 @@
-#include "engine/record/session_format.h"
+#include "game/record/session_format.h"
 
 #include <zlib.h>
 
 #include "engine/core/hash.h"
-#include "engine/record/layout.h"
+#include "game/record/layout.h"
 
 namespace onggi::record {
 

@@ -1,6 +1,6 @@
 // A tool with all there is to it, as bytes. Little-endian: both hands' x, y, z; both
-// radii, the assist's gap, the command's height, the wheel's speed, the shaft, the water (doubles); button,
-// tool, side, command, whether there is a second hand, its tool, whether the hand is guided, whether it
+// radii, the assist's gap, the wire's height, the wheel's speed, the shaft, the water (doubles); button,
+// tool, side, wire, whether there is a second hand, its tool, whether the hand is guided, whether it
 // presses (bytes). Reading is fit for the tick.
 #pragma once
 
@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/tool_state.h"
+#include "game/tool/tool_state.h"
 
-namespace onggi::record {
+namespace onggi::tool {
 
 constexpr std::size_t kBothPositionsBytes = 6 * 8;
 constexpr std::size_t kWholeToolBytes = kBothPositionsBytes + 7 * 8 + 8;
 
-void put_whole_tool(std::vector<std::byte>& bytes, const haptics::ToolState& tool);
-void put_both_positions(std::vector<std::byte>& bytes, const haptics::ToolState& tool);
+void put_whole_tool(std::vector<std::byte>& bytes, const ToolState& tool);
+void put_both_positions(std::vector<std::byte>& bytes, const ToolState& tool);
 
 // Precondition: kWholeToolBytes stand there in which fault_of_whole_tool() finds none.
-[[nodiscard]] haptics::ToolState get_whole_tool(const std::byte* bytes) noexcept;
-void get_both_positions(const std::byte* bytes, haptics::ToolState& tool) noexcept;
+[[nodiscard]] ToolState get_whole_tool(const std::byte* bytes) noexcept;
+void get_both_positions(const std::byte* bytes, ToolState& tool) noexcept;
 
 // What no tool within its limits would have left, and where.
 struct ToolFault {
@@ -32,4 +32,4 @@ struct ToolFault {
 [[nodiscard]] std::optional<ToolFault> fault_of_whole_tool(const std::byte* bytes);
 [[nodiscard]] std::optional<ToolFault> fault_of_both_positions(const std::byte* bytes);
 
-}  // namespace onggi::record
+}  // namespace onggi::tool
