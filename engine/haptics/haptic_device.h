@@ -52,7 +52,6 @@ struct WorkFelt {
     double wall_mm = 0.0;             // its thickness there; 0: solid
     double most_force_n = 0.0;        // with which such a wall bends aside; 0: it does not
     double load = 0.0;                // 0: at rest; 1: it gives way
-    double wheel_rad_s = 0.0;         // how fast it turns
 
     friend bool operator==(const WorkFelt&, const WorkFelt&) = default;
 };

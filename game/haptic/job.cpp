@@ -10,8 +10,8 @@
 namespace onggi::haptic {
 namespace {
 
-// The clay's state for a device's other displays: stiffness and thickness at the touch, load, wheel speed.
-// Fit for the tick. mm, N, rad/s.
+// The clay's state for a device's other displays: stiffness and thickness at the touch, load. Fit for the
+// tick. mm, N.
 constexpr double kKpaPerNMm2 = 1000.0;
 
 // From the last tick.
@@ -22,11 +22,7 @@ haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
     if (parameters.feel.most_stiffness_n_per_mm > 0.0)
         felt.stiffness_n_per_mm = std::min(felt.stiffness_n_per_mm, parameters.feel.most_stiffness_n_per_mm);
     const clay::StudioClay* studio = state.studio();
-    if (studio == nullptr) {
-        felt.wheel_rad_s = state.tool.wheel_button ? parameters.paper.wheel_speed_rad_s : 0.0;
-        return felt;
-    }
-    felt.wheel_rad_s = studio->wheel().speed_rad_s();
+    if (studio == nullptr) return felt;
     felt.load = studio->load_index();
     const clay::studio::Rings& rings = studio->rings();
     if (rings.count == 0 || !felt.touches) return felt;

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "game/app/kiosk/hand/kiosk_hand.h"
-#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
+#include "game/app/kiosk/finger/kiosk_pointer.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/haptic/simulated_device.h"
 #include "game/haptic/tick.h"
@@ -33,7 +33,7 @@ class KioskRig final : public WheelRig {
 
   private:
     app::KioskPointer pointer_;
-    app::KioskHand hand_;
+    app::KioskFinger finger_;
     haptic::SimulatedDevice device_;
     haptic::HapticParameters parameters_;
     haptic::HapticState state_;

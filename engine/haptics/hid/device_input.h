@@ -62,7 +62,7 @@ struct ForceOrder {
     dvec2 force_n{0.0};         // on the tool: outwards, upwards
     double tangential_n = 0.0;  // along the turning wall: devices without that axis may show it as a tremor
     dvec2 tool_mm{0.0};         // radius, height the force was worked out for
-    bool wheel_turns = false;
+    bool turns = false;
     WorkFelt work = {};       // what the force came from
     std::uint64_t ticks = 0;  // counts orders: it must not stand still
     // Set by the gate: orders came once, and have stayed away for so long that the loop must be dead.

@@ -58,7 +58,7 @@ TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
 }
 
 std::array<std::uint8_t, 3> light_for(const ForceOrder& order) noexcept {
-    if (!order.wheel_turns) return kWheelStands;
+    if (!order.turns) return kWheelStands;
     const double load = std::clamp(std::isfinite(order.work.load) ? order.work.load : 0.0, 0.0, 1.0);
     const double step = std::floor(load * kLightSteps) / kLightSteps;
     const auto& from = step < 0.5 ? kAtEase : kStrained;

@@ -77,7 +77,7 @@ void HidDevice::write(const dvec3& force_n) noexcept {
     link_.force.put({.force_n = {force_n.x, force_n.y},
                      .tangential_n = force_n.z,
                      .tool_mm = {sample_.position_mm.x, sample_.position_mm.y},
-                     .wheel_turns = sample_.button,
+                     .turns = sample_.button,
                      .work = work_,
                      .ticks = ++ticks_});
 }

@@ -10,7 +10,7 @@
 
 #include "engine/core/number_in.h"
 #include "engine/core/quote.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/clay/paper_clay.h"
 #include "game/clay/studio/lump.h"
 #include "game/exporter/studio_export.h"

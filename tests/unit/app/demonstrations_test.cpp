@@ -100,7 +100,7 @@ TEST(Show, IsTheGestureWhereThereIsNoRecordingAndNothingWhereThereIsNeither) {
 
 // Played ten times as finely as it was recorded, a finger goes straight on while it presses, and neither
 // slides away as it lifts nor comes sliding as it lands.
-TEST(DemonstrationHand, IsWhereItLiftsAndWhereItLandsAndNotBetween) {
+TEST(DemonstrationDevice, IsWhereItLiftsAndWhereItLandsAndNotBetween) {
     const test::TemporaryFolder folder;
     haptic::Start start{lump(), {}};
     start.parameters.set_rate_hz(100.0);
@@ -120,7 +120,7 @@ TEST(DemonstrationHand, IsWhereItLiftsAndWhereItLandsAndNotBetween) {
     const Show show = load_show(folder.path(), kGesture, {lump()}, remarks);
     ASSERT_EQ(names_of(show), std::vector<std::string>{"taps"});
 
-    DemonstrationHand hand(std::make_unique<haptic::SimulatedDevice>(), show.recordings, 1000.0);
+    DemonstrationDevice hand(std::make_unique<haptic::SimulatedDevice>(), show.recordings, 1000.0);
     const auto at = [&](std::uint64_t tick) { return hand.read_tool(kShownTicks + tick, 0.001); };
     EXPECT_NEAR(at(5).position_mm.x, 55.0, 1e-9);
     EXPECT_EQ(at(19).position_mm.x, 50.0);
@@ -151,7 +151,7 @@ class Wheel : public testing::Test {
         parameters.studio.forgiving = forgiving;
         work_ = std::make_unique<haptic::HapticWork>(
             lump(), parameters,
-            std::make_unique<DemonstrationHand>(std::move(person), show_.recordings, kRateHz),
+            std::make_unique<DemonstrationDevice>(std::move(person), show_.recordings, kRateHz),
             haptic::HapticJobOptions{});
     }
     void tick(std::uint64_t ticks) {

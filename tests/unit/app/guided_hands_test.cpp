@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 #include "game/app/kiosk/presentation/snapshot_view.h"
 #include "tests/support/millimetre_pot.h"
 

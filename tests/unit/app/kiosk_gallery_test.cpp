@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "engine/files/read_file.h"
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/haptic/simulated_device.h"
@@ -77,7 +77,7 @@ TEST_F(GalleryTest, DeletesOnePotWithAllItsFilesAndNoOther) {
 struct Cut {
     Cut() {
         for (std::uint32_t tick = 0; tick < 50; ++tick) {
-            const haptic::TickResult result = haptic::tick(state, resting_hand(), parameters);
+            const haptic::TickResult result = haptic::tick(state, resting_finger(), parameters);
             history.add({.tick = tick,
                          .flags = tick == 0 ? haptic::TickRecord::kFreshLump : 0U,
                          .tool = state.tool,

@@ -98,7 +98,7 @@ TEST_F(DualSenseDriverTest, LeavesTheTriggerLooseWhereItCannotPushBack) {
 
 TEST_F(DualSenseDriverTest, TremblesWithTheWallThatSlidesBy) {
     const auto report =
-        told({.tangential_n = -1.65, .tool_mm = {60.0, 50.0}, .wheel_turns = true, .ticks = 1}, 20 * kMs);
+        told({.tangential_n = -1.65, .tool_mm = {60.0, 50.0}, .turns = true, .ticks = 1}, 20 * kMs);
     ASSERT_EQ(report.size(), 48U);
     EXPECT_EQ(report[3], 0x30) << "half of the most";
     EXPECT_EQ(report[4], 0x00);
@@ -106,9 +106,7 @@ TEST_F(DualSenseDriverTest, TremblesWithTheWallThatSlidesBy) {
 }
 
 TEST_F(DualSenseDriverTest, ShinesTheRedderTheNearerTheClayIsToGivingWay) {
-    const auto light = [](double load) {
-        return as_hex(light_for({.wheel_turns = true, .work = {.load = load}}));
-    };
+    const auto light = [](double load) { return as_hex(light_for({.turns = true, .work = {.load = load}})); };
     EXPECT_EQ(as_hex(light_for({.work = {.load = 0.9}})), "00 10 40") << "a standing wheel is blue";
     EXPECT_EQ(light(0.0), "18 50 08");
     EXPECT_EQ(light(0.5), "60 28 00");

@@ -114,8 +114,8 @@ std::optional<double> played_s(std::uint64_t tick, std::size_t place, double rat
     return static_cast<double>(tick - first) / rate_hz;
 }
 
-DemonstrationHand::DemonstrationHand(std::unique_ptr<haptic::SimulatedDevice> person,
-                                     const std::vector<Recording>& recordings, double rate_hz)
+DemonstrationDevice::DemonstrationDevice(std::unique_ptr<haptic::SimulatedDevice> person,
+                                         const std::vector<Recording>& recordings, double rate_hz)
     : person_(std::move(person)) {
     for (const Recording& recording : recordings) {
         const record::Session& session = recording.session;
@@ -126,7 +126,7 @@ DemonstrationHand::DemonstrationHand(std::unique_ptr<haptic::SimulatedDevice> pe
 
 // Between two ticks of the recording the hands go straight on, but not to where they land or let go; all else
 // holds until the next.
-tool::ToolState DemonstrationHand::at(Player& player, std::uint64_t tick) noexcept {
+tool::ToolState DemonstrationDevice::at(Player& player, std::uint64_t tick) noexcept {
     const double recorded = static_cast<double>(tick) * player.ticks_a_tick;
     const auto before = static_cast<std::uint64_t>(recorded);
     const double fraction = recorded - static_cast<double>(before);
@@ -139,7 +139,7 @@ tool::ToolState DemonstrationHand::at(Player& player, std::uint64_t tick) noexce
     return tool;
 }
 
-tool::ToolState DemonstrationHand::read_tool(std::uint64_t tick, double dt_s) noexcept {
+tool::ToolState DemonstrationDevice::read_tool(std::uint64_t tick, double dt_s) noexcept {
     const std::uint64_t shown = tick < kShownTicks ? 0 : tick - kShownTicks;
     const auto place = static_cast<std::size_t>(shown / kTicksEach);
     if (tick < kShownTicks || place >= players_.size()) {

@@ -61,11 +61,11 @@ constexpr std::size_t kMostRecordings = 32;
 [[nodiscard]] std::optional<double> played_s(std::uint64_t tick, std::size_t place, double rate_hz);
 
 // The kiosk's first hand: the visitor's, by mouse or touch, and on a recorded clay the recorded one.
-class DemonstrationHand final : public haptic::ToolDevice {
+class DemonstrationDevice final : public haptic::ToolDevice {
   public:
     // The recordings outlive it. rate_hz: of the loop.
-    DemonstrationHand(std::unique_ptr<haptic::SimulatedDevice> person,
-                      const std::vector<Recording>& recordings, double rate_hz);
+    DemonstrationDevice(std::unique_ptr<haptic::SimulatedDevice> person,
+                        const std::vector<Recording>& recordings, double rate_hz);
 
     Result<void> open() override { return person_->open(); }
     void close() noexcept override { person_->close(); }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/render/pass_clock.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/keeping/kiosk_phone.h"
 #include "game/haptic/force_test.h"
@@ -37,7 +37,7 @@ struct Health {
     double distance_mm = 0.0;
     std::string sound = {};  // through what it is heard; empty: it is not
     std::string sound_lack = {};
-    std::vector<HandDevices::Seen> devices = {};
+    std::vector<AttachedDevices::Seen> devices = {};
     std::string holder = {};  // of the tool; empty: touch and mouse
     UseOfDay use = {};
     std::vector<std::pair<int, std::string>> pots = {};  // a number for the delete key, a name; newest first
@@ -47,8 +47,8 @@ struct Health {
 
 [[nodiscard]] std::vector<screens::StaffLine> staff_lines(const Health& health, kiosk::StaffPage page);
 
-// What a test of the force came to. `hand`: who had the tool, by name.
-[[nodiscard]] std::string force_test_words(const haptic::ForceTestReport& report, std::string_view hand);
+// What a test of the force came to. `device`: which had the tool, by name.
+[[nodiscard]] std::string force_test_words(const haptic::ForceTestReport& report, std::string_view device);
 
 // Where the machine stands, minutes after midnight: now by its clock, and at that second since 1970.
 [[nodiscard]] int minute_of_day();

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "game/app/kiosk/keeping/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_settings.h"
@@ -26,8 +26,8 @@ constexpr double kLoudestStep = kiosk::kMostVolume;
 struct VisitParts {
     wheel::LiveView& view;
     haptic::HapticJob& job;
-    haptic::SimulatedDevice& hand;
-    HandDevices& devices;
+    haptic::SimulatedDevice& pointer;  // mouse and touch
+    AttachedDevices& devices;
     KioskKeeper& keeper;
     KioskPhone* phone = nullptr;  // null: nothing is taken home by phone
     KioskSound& sound;

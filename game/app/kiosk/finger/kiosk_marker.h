@@ -4,11 +4,11 @@
 
 #include <optional>
 
-#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 
 namespace onggi::app {
 
-enum class HandKey { kUp, kDown, kLeft, kRight };
+enum class FingerKey { kUp, kDown, kLeft, kRight };
 
 class KioskMarker {
   public:
@@ -16,10 +16,10 @@ class KioskMarker {
     // rim of solid clay, up moves the marker over the middle, where down opens and the other keys return to
     // the rim. Left and right move the wall to that side of the picture. The first key shows the marker low
     // on `side` (+1 right).
-    [[nodiscard]] std::optional<TouchPath> key(HandKey key, const pot::Pot& shape, double side);
+    [[nodiscard]] std::optional<TouchPath> key(FingerKey key, const pot::Pot& shape, double side);
     // A button on the screen, for visitors who cannot move a marker: up raises, down opens solid clay or
     // lowers a pot; left and right are as above.
-    [[nodiscard]] TouchPath button(HandKey key, const pot::Pot& shape, double side);
+    [[nodiscard]] TouchPath button(FingerKey key, const pot::Pot& shape, double side);
 
     [[nodiscard]] std::optional<dvec2> place_mm(const pot::Pot& shape) const;
     void hide() { is_shown_ = false; }

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/math/math.h"
-#include "game/app/kiosk/hand/kiosk_marker.h"
-#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/finger/kiosk_marker.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 #include "game/kiosk/state.h"
 #include "game/pot/pot.h"
 #include "game/tool/tool_state.h"
@@ -40,18 +40,18 @@ class OutlineHelp {
     double now_ = 0.0;
 };
 
-struct HandSettings {
-    kiosk::Held held = kiosk::Held::kHand;
-    int tool = 2;        // size, 1 to 3
-    int water = 3;       // 1 to 5
-    int speed = 3;       // 1 to 5
-    bool trims = false;  // uses a trimmer with a loop of size `tool` instead of `held`
+// What is in the hand, in the steps of the ledge.
+struct HeldTool {
+    tool::Tool tool = tool::Tool::kHand;
+    int size = 2;   // 1 to 3
+    int water = 3;  // 1 to 5
+    int speed = 3;  // of the wheel, 1 to 5
 };
 
-// An idle hand away from the clay.
-[[nodiscard]] tool::ToolState resting_hand();
+// An idle finger away from the clay.
+[[nodiscard]] tool::ToolState resting_finger();
 
-class KioskHand {
+class KioskFinger {
   public:
     // A finger or a pressed mouse at a place on that plane. It takes over from any other input. A place that
     // is not a number, or jumps farther than a hand moves in a frame, releases the finger.
@@ -65,8 +65,8 @@ class KioskHand {
     // puts the finger beside the clay, low on `side`: +1 right, -1 left.
     void steer(const dvec2& step_mm, bool presses, const pot::Pot& shape, double side);
     // An arrow key, and a button of the pad on the screen.
-    void key(HandKey key, double side) { ask_for({key, false, side}); }
-    void button(HandKey key, double side) { ask_for({key, true, side}); }
+    void key(FingerKey key, double side) { ask_for({key, false, side}); }
+    void button(FingerKey key, double side) { ask_for({key, true, side}); }
 
     // Plays a step of the lesson on the current clay. Any finger, key, button or gamepad takes over.
     void show(ShownStep step, const pot::Pot& shape, double side);
@@ -88,7 +88,7 @@ class KioskHand {
     void leave_clay();
 
     // Returns the request for the tool now, dt_s after the last call.
-    [[nodiscard]] tool::ToolState request(const HandSettings& settings, const pot::Pot& shape, double dt_s);
+    [[nodiscard]] tool::ToolState request(const HeldTool& held, const pot::Pot& shape, double dt_s);
 
     [[nodiscard]] bool works() const { return presser_ != Presser::kNobody || touch_.runs(); }
 
@@ -96,7 +96,7 @@ class KioskHand {
     enum class Presser { kNobody, kFinger, kGamepad };
 
     struct WaitingKey {
-        HandKey key = HandKey::kUp;
+        FingerKey key = FingerKey::kUp;
         bool is_button = false;
         double side = 1.0;
     };

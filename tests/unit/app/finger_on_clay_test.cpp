@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/haptic/pot_copy.h"
 #include "game/haptic/tick.h"
 
@@ -22,12 +22,12 @@ class HandOnClay : public ::testing::Test {
         parameters_.set_rate_hz(kRateHz);
         parameters_.studio.forgiving = true;
         state_ = haptic::HapticState(clay::StudioClay(clay::StudioLump{.mass_g = mass_g, .rings = 800}));
-        hand_ = {};
+        finger_ = {};
         shape_ = haptic::pot_of(state_);
         waits(1.0);
     }
     void frame() {
-        const tool::ToolState tool = hand_.request({.water = 3}, shape_, kFrameS);
+        const tool::ToolState tool = finger_.request({.water = 3}, shape_, kFrameS);
         for (ticks_due_ += kRateHz * kFrameS; ticks_due_ >= 1.0; ticks_due_ -= 1.0)
             last_ = haptic::tick(state_, tool, parameters_);
         shape_ = haptic::pot_of(state_);
@@ -37,8 +37,8 @@ class HandOnClay : public ::testing::Test {
             frame();
     }
     void shows(ShownStep step) {
-        hand_.show(step, shape_, 1.0);
-        for (int i = 0; i < 600 && hand_.shows(); ++i)
+        finger_.show(step, shape_, 1.0);
+        for (int i = 0; i < 600 && finger_.shows(); ++i)
             frame();
         waits(0.3);
     }
@@ -48,23 +48,23 @@ class HandOnClay : public ::testing::Test {
         for (int i = 0; i < times; ++i) {
             ask();
             waits(0.1);
-            for (int more = 0; more < 600 && hand_.works(); ++more)
+            for (int more = 0; more < 600 && finger_.works(); ++more)
                 frame();
         }
         waits(0.2);
     }
-    void types(HandKey key, int times = 1) {
-        works(times, [&] { hand_.key(key, 1.0); });
+    void types(FingerKey key, int times = 1) {
+        works(times, [&] { finger_.key(key, 1.0); });
     }
-    void switches(HandKey key, int times = 1) {
-        works(times, [&] { hand_.button(key, 1.0); });
+    void switches(FingerKey key, int times = 1) {
+        works(times, [&] { finger_.button(key, 1.0); });
     }
     // Up or down until the marker is near that height.
     void walks_to(double y_mm) {
         for (int i = 0; i < 60; ++i) {
-            const double now_mm = hand_.marker_mm().value_or(dvec2(0.0)).y;
+            const double now_mm = finger_.marker_mm().value_or(dvec2(0.0)).y;
             if (std::abs(now_mm - y_mm) <= 3.0) return;
-            types(now_mm < y_mm ? HandKey::kUp : HandKey::kDown);
+            types(now_mm < y_mm ? FingerKey::kUp : FingerKey::kDown);
         }
     }
     [[nodiscard]] double height() const { return shape_.height_mm; }
@@ -76,14 +76,14 @@ class HandOnClay : public ::testing::Test {
     haptic::HapticParameters parameters_;
     haptic::TickResult last_;
     pot::Pot shape_;
-    KioskHand hand_;
+    KioskFinger finger_;
     double ticks_due_ = 0.0;
 };
 
 TEST_F(HandOnClay, AHandThatHoversOrRestsLeavesItAlone) {
     const std::vector<float> before = shape_.outer_mm;
     for (double x = -80.0; x < 80.0; x += 2.0) {
-        hand_.hover({x, 30.0});
+        finger_.hover({x, 30.0});
         frame();
     }
     waits(6.0);
@@ -118,72 +118,72 @@ TEST_F(HandOnClay, KeysMoveTheWallAsFarAsTheySay) {
     shows(ShownStep::kPress);
     shows(ShownStep::kOpen);
     shows(ShownStep::kRaise);
-    types(HandKey::kDown);
+    types(FingerKey::kDown);
     walks_to(0.6 * height());
-    for (const HandKey key : {HandKey::kLeft, HandKey::kRight}) {
-        const double y_mm = hand_.marker_mm()->y;
+    for (const FingerKey key : {FingerKey::kLeft, FingerKey::kRight}) {
+        const double y_mm = finger_.marker_mm()->y;
         const double before_mm = outer(y_mm);
         types(key, 3);
         const double moved_mm = (outer(y_mm) - before_mm) / 3.0;
-        EXPECT_NEAR(key == HandKey::kLeft ? -moved_mm : moved_mm, 3.0, 1.0);
+        EXPECT_NEAR(key == FingerKey::kLeft ? -moved_mm : moved_mm, 3.0, 1.0);
     }
 }
 
 TEST_F(HandOnClay, KeysAloneOpenAndRaiseAPot) {
-    types(HandKey::kLeft, 2);
-    while (hand_.marker_mm()->y < height())
-        types(HandKey::kUp);
-    types(HandKey::kUp);
-    ASSERT_EQ(hand_.marker_mm()->x, 0.0) << "over the middle";
+    types(FingerKey::kLeft, 2);
+    while (finger_.marker_mm()->y < height())
+        types(FingerKey::kUp);
+    types(FingerKey::kUp);
+    ASSERT_EQ(finger_.marker_mm()->x, 0.0) << "over the middle";
     for (int i = 0; i < 8; ++i) {
         const double floor_mm = shape_.floor_mm;
-        types(HandKey::kDown);
+        types(FingerKey::kDown);
         if (floor_mm > 30.0) {
             EXPECT_NEAR(floor_mm - shape_.floor_mm, 8.0, 3.0) << i;
         }
     }
     EXPECT_LT(shape_.floor_mm, 16.0);
     EXPECT_GT(inner(0.5 * height()), 14.0);
-    types(HandKey::kRight);
-    EXPECT_GT(hand_.marker_mm()->x, 0.0);
+    types(FingerKey::kRight);
+    EXPECT_GT(finger_.marker_mm()->x, 0.0);
     const double before_mm = height();
-    types(HandKey::kUp, 5);
+    types(FingerKey::kUp, 5);
     EXPECT_NEAR(height() - before_mm, 5 * 6.0, 8.0);
-    EXPECT_EQ(hand_.marker_mm()->y, height());
+    EXPECT_EQ(finger_.marker_mm()->y, height());
 }
 
 TEST_F(HandOnClay, OneSwitchAloneThrowsAPot) {
-    switches(HandKey::kLeft, 2);
-    switches(HandKey::kDown);
+    switches(FingerKey::kLeft, 2);
+    switches(FingerKey::kDown);
     EXPECT_GT(height() - shape_.floor_mm, 18.0);
     const double opened_mm = height();
-    switches(HandKey::kUp, 4);
+    switches(FingerKey::kUp, 4);
     EXPECT_GT(height(), opened_mm + 35.0);
     const double tall_mm = height();
-    switches(HandKey::kDown);
+    switches(FingerKey::kDown);
     EXPECT_LT(height(), tall_mm - 2.0);
     EXPECT_GT(height(), tall_mm - 8.0);
 }
 
 TEST_F(HandOnClay, ASwitchThatAsksForHigherFirstOpensByItself) {
     const double before_mm = height();
-    switches(HandKey::kUp, 3);
+    switches(FingerKey::kUp, 3);
     EXPECT_GT(height() - shape_.floor_mm, 30.0);
     EXPECT_GT(height(), before_mm + 15.0);
 }
 
 TEST_F(HandOnClay, WhateverComesToThePointerTheClayStaysWhole) {
     const double volume_mm3 = state_.volume_mm3();
-    hand_.press({60.0, 20.0});
+    finger_.press({60.0, 20.0});
     frame();
     for (const dvec2& place : {dvec2(50.0, 30.0), dvec2(-900.0, 900.0), dvec2(40.0, std::nan("")),
                                dvec2(1e300, -1e300), dvec2(0.0, 0.0)}) {
-        hand_.drag(place);
+        finger_.drag(place);
         waits(0.2);
-        hand_.press(place);
+        finger_.press(place);
         waits(0.2);
     }
-    hand_.release();
+    finger_.release();
     waits(0.5);
     EXPECT_TRUE(is_whole());
     EXPECT_NEAR(state_.volume_mm3(), volume_mm3, 1e-6 * volume_mm3);

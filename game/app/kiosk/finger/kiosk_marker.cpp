@@ -1,4 +1,4 @@
-#include "game/app/kiosk/hand/kiosk_marker.h"
+#include "game/app/kiosk/finger/kiosk_marker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,11 +63,11 @@ TouchPath KioskMarker::move_wall(double direction, const pot::Pot& shape) const 
     return sideways_path({side_ * wall_at(shape, y_mm).outer_mm, y_mm}, direction * kIntoWallMm);
 }
 
-std::optional<TouchPath> KioskMarker::key(HandKey key, const pot::Pot& shape, double side) {
+std::optional<TouchPath> KioskMarker::key(FingerKey key, const pot::Pot& shape, double side) {
     come(side);
-    const double direction = key == HandKey::kLeft ? -1.0 : 1.0;
+    const double direction = key == FingerKey::kLeft ? -1.0 : 1.0;
     switch (key) {
-        case HandKey::kUp:
+        case FingerKey::kUp:
             if (is_over_) return std::nullopt;
             if (is_at_rim()) {
                 if (!is_solid(shape)) return pull_path(shape, side_, kPullMm);
@@ -76,12 +76,12 @@ std::optional<TouchPath> KioskMarker::key(HandKey key, const pot::Pot& shape, do
                 walk(kWalkMm, shape);
             }
             return std::nullopt;
-        case HandKey::kDown:
+        case FingerKey::kDown:
             if (is_over_) return open_path(shape, side_, kOpenMm);
             walk(-kWalkMm, shape);
             return std::nullopt;
-        case HandKey::kLeft:
-        case HandKey::kRight:
+        case FingerKey::kLeft:
+        case FingerKey::kRight:
             if (!is_over_) return move_wall(direction, shape);
             is_over_ = false;
             side_ = direction;
@@ -90,18 +90,18 @@ std::optional<TouchPath> KioskMarker::key(HandKey key, const pot::Pot& shape, do
     return std::nullopt;
 }
 
-TouchPath KioskMarker::button(HandKey key, const pot::Pot& shape, double side) {
+TouchPath KioskMarker::button(FingerKey key, const pot::Pot& shape, double side) {
     come(side);
     is_over_ = false;
     switch (key) {
-        case HandKey::kUp:
+        case FingerKey::kUp:
             return pull_path(shape, side_, kSwitchPullMm);
-        case HandKey::kDown:
+        case FingerKey::kDown:
             return is_solid(shape) ? path_of_step(ShownStep::kOpen, shape, side_)
                                    : lower_path(shape, side_, kLowerMm);
-        case HandKey::kLeft:
+        case FingerKey::kLeft:
             return move_wall(-1.0, shape);
-        case HandKey::kRight:
+        case FingerKey::kRight:
             break;
     }
     return move_wall(1.0, shape);

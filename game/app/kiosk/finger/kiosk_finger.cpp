@@ -1,4 +1,4 @@
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 
 #include <algorithm>
 #include <array>
@@ -37,19 +37,6 @@ constexpr std::array kSpeedsRevMin{50.0, 80.0, 110.0, 145.0, 180.0};
 constexpr double kWireBelowRimMm = 6.0;  // initial height of the wire
 constexpr double kWireStepMm = 1.0;      // per key press
 constexpr double kLowestCut = 0.5;       // fraction of the height
-
-tool::Tool kind_of(kiosk::Held held) {
-    switch (held) {
-        case kiosk::Held::kRib:
-            return tool::Tool::kRib;
-        case kiosk::Held::kSponge:
-            return tool::Tool::kSponge;
-        case kiosk::Held::kHand:
-        case kiosk::Held::kWire:
-            break;
-    }
-    return tool::Tool::kHand;
-}
 
 template <std::size_t count>
 double step_of(const std::array<double, count>& steps, int step) {
@@ -99,16 +86,16 @@ dvec2 OutlineHelp::drawn(const dvec2& finger_mm) const {
     return {std::copysign(std::max(0.0, std::abs(finger_mm.x) + pull_mm), finger_mm.x), finger_mm.y};
 }
 
-tool::ToolState resting_hand() {
+tool::ToolState resting_finger() {
     return {.position_mm = dvec3(kRestingMm, 0.0), .guided = true, .pressing = false};
 }
 
-void KioskHand::take_over() {
+void KioskFinger::take_over() {
     release();
     idle_s_ = 0.0;
 }
 
-void KioskHand::press(const dvec2& place_mm) {
+void KioskFinger::press(const dvec2& place_mm) {
     take_over();
     marker_.hide();
     if (!is_place(place_mm)) return;
@@ -117,7 +104,7 @@ void KioskHand::press(const dvec2& place_mm) {
     finger_mm_ = shown_before_mm_ = within_reach(place_mm);
 }
 
-void KioskHand::drag(const dvec2& place_mm) {
+void KioskFinger::drag(const dvec2& place_mm) {
     if (presser_ != Presser::kFinger) return;
     if (!is_place(place_mm) || glm::length(within_reach(place_mm) - shown_before_mm_) > kLeapMm) {
         release();
@@ -127,20 +114,20 @@ void KioskHand::drag(const dvec2& place_mm) {
     idle_s_ = 0.0;
 }
 
-void KioskHand::release() {
+void KioskFinger::release() {
     presser_ = Presser::kNobody;
     touch_.stop();
     waiting_.clear();
     shows_ = false;
 }
 
-void KioskHand::hover(const dvec2& place_mm) {
+void KioskFinger::hover(const dvec2& place_mm) {
     if (works() || !is_place(place_mm)) return;
     finger_mm_ = within_reach(place_mm);
     idle_s_ = 0.0;
 }
 
-void KioskHand::steer(const dvec2& step_mm, bool presses, const pot::Pot& shape, double side) {
+void KioskFinger::steer(const dvec2& step_mm, bool presses, const pot::Pot& shape, double side) {
     const bool begins = presses && !pad_held_;
     pad_held_ = presses;
     const bool is_moved = is_place(step_mm) && step_mm != dvec2(0.0);
@@ -161,33 +148,33 @@ void KioskHand::steer(const dvec2& step_mm, bool presses, const pot::Pot& shape,
     ++touches_;
 }
 
-void KioskHand::ask_for(const WaitingKey& key) {
+void KioskFinger::ask_for(const WaitingKey& key) {
     if (presser_ != Presser::kNobody) return;
     stop_showing();
     idle_s_ = 0.0;
     if (waiting_.size() < kMostWaiting) waiting_.push_back(key);
 }
 
-void KioskHand::show(ShownStep step, const pot::Pot& shape, double side) {
+void KioskFinger::show(ShownStep step, const pot::Pot& shape, double side) {
     take_over();
     shows_ = true;
     ++touches_;
     touch_.begin(path_of_step(step, shape, side));
 }
 
-void KioskHand::stop_showing() {
+void KioskFinger::stop_showing() {
     if (!shows_) return;
     touch_.stop();
     shows_ = false;
 }
 
-void KioskHand::leave_clay() {
+void KioskFinger::leave_clay() {
     release();
     marker_.hide();
     pad_has_come_ = false;
 }
 
-void KioskHand::work_off_keys(const pot::Pot& shape) {
+void KioskFinger::work_off_keys(const pot::Pot& shape) {
     while (!waiting_.empty() && !touch_.runs()) {
         const WaitingKey key = waiting_.front();
         waiting_.pop_front();
@@ -203,7 +190,7 @@ void KioskHand::work_off_keys(const pot::Pot& shape) {
 }
 
 // Follows a synthetic touch, else the pressing input, else goes aside.
-dvec2 KioskHand::finger_now(const pot::Pot& shape, double dt_s) {
+dvec2 KioskFinger::finger_now(const pot::Pot& shape, double dt_s) {
     if (touch_.runs()) {
         touch_.pass_time(dt_s);
         finger_mm_ = touch_.place_mm();
@@ -219,7 +206,7 @@ dvec2 KioskHand::finger_now(const pot::Pot& shape, double dt_s) {
 }
 
 // Separates two touches by one frame without pressing, or the clay would take them for one touch.
-bool KioskHand::presses_now() {
+bool KioskFinger::presses_now() {
     const bool presses = presser_ != Presser::kNobody || touch_.presses();
     const bool is_another = pressing_ && *pressing_ != touches_;
     pressing_ = presses && !is_another ? std::optional(touches_) : std::nullopt;
@@ -227,35 +214,37 @@ bool KioskHand::presses_now() {
 }
 
 // A finger drags the wire's line, a key moves it; neither presses the clay.
-void KioskHand::hold_wire(const pot::Pot& shape) {
+void KioskFinger::hold_wire(const pot::Pot& shape) {
     if (!wire_mm_) wire_mm_ = shape.height_mm - kWireBelowRimMm;
     if (presser_ != Presser::kNobody) wire_mm_ = finger_mm_.y;
     for (const WaitingKey& key : waiting_) {
-        if (key.key == HandKey::kUp) *wire_mm_ += kWireStepMm;
-        if (key.key == HandKey::kDown) *wire_mm_ -= kWireStepMm;
+        if (key.key == FingerKey::kUp) *wire_mm_ += kWireStepMm;
+        if (key.key == FingerKey::kDown) *wire_mm_ -= kWireStepMm;
     }
     waiting_.clear();
     wire_mm_ = std::clamp(*wire_mm_, kLowestCut * shape.height_mm, shape.height_mm);
 }
 
-tool::ToolState KioskHand::request(const HandSettings& settings, const pot::Pot& shape, double dt_s) {
+tool::ToolState KioskFinger::request(const HeldTool& held, const pot::Pot& shape, double dt_s) {
+    const bool holds_wire = held.tool == tool::Tool::kWire;
+    const bool trims = held.tool == tool::Tool::kTrimmer;
     help_.pass_time(dt_s);
     tool::ToolState tool;
     tool.guided = true;
-    if (settings.held == kiosk::Held::kWire) hold_wire(shape);
+    if (holds_wire) hold_wire(shape);
     tool.position_mm = dvec3(finger_now(shape, dt_s), 0.0);
-    tool.pressing = presses_now() && settings.held != kiosk::Held::kWire;
+    tool.pressing = presses_now() && !holds_wire;
     shown_before_mm_ = finger_mm_;
-    marker_mm_ = settings.held == kiosk::Held::kWire ? std::nullopt : marker_.place_mm(shape);
-    tool.tool = settings.trims ? tool::Tool::kTrimmer : kind_of(settings.held);
+    marker_mm_ = holds_wire ? std::nullopt : marker_.place_mm(shape);
+    tool.tool = holds_wire ? tool::Tool::kHand : held.tool;
     if (std::exchange(cuts_, false)) {
         tool.wire = tool::Wire::kCutRim;
         tool.wire_height_mm = *wire_mm_;
     }
-    if (settings.held != kiosk::Held::kWire) wire_mm_.reset();
-    tool.radius_mm = step_of(settings.trims ? kLoopRadiiMm : kToolRadiiMm, settings.tool);
-    tool.water = settings.trims ? 0.0 : step_of(kWater, settings.water);
-    tool.wheel_speed_rev_min = step_of(kSpeedsRevMin, settings.speed);
+    if (!holds_wire) wire_mm_.reset();
+    tool.radius_mm = step_of(trims ? kLoopRadiiMm : kToolRadiiMm, held.size);
+    tool.water = trims ? 0.0 : step_of(kWater, held.water);
+    tool.wheel_speed_rev_min = step_of(kSpeedsRevMin, held.speed);
     tool.wheel_button = true;
     return tool;
 }

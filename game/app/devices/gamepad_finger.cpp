@@ -1,4 +1,4 @@
-#include "game/app/devices/gamepad_hand.h"
+#include "game/app/devices/gamepad_finger.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ dvec2 shaped(dvec2 stick, double dead_band) {
 
 }  // namespace
 
-bool GamepadHand::presses(bool button, double trigger, bool is_moving, double dt_s) {
+bool GamepadFinger::presses(bool button, double trigger, bool is_moving, double dt_s) {
     trigger_presses_ = trigger > (trigger_presses_ ? mapping_.released_at : mapping_.pressed_at);
     const bool is_held = button || trigger_presses_;
     // Once it counts as stuck, it must be let go before it presses again.
@@ -33,7 +33,7 @@ bool GamepadHand::presses(bool button, double trigger, bool is_moving, double dt
     return is_held && !is_stuck;
 }
 
-GamepadRequest GamepadHand::request(std::span<const Gamepad> pads, double dt_s) {
+GamepadRequest GamepadFinger::request(std::span<const Gamepad> pads, double dt_s) {
     GamepadRequest request;
     std::uint32_t buttons = 0;
     dvec2 push(0.0);

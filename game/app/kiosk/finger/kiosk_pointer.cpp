@@ -1,4 +1,4 @@
-#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/finger/kiosk_pointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr float kCornerU = 80.0F;
 constexpr double kScanEveryS = 1.4;
 // A touch that does not move for longer is a fault of the touch screen.
 constexpr double kLongestStillS = 60.0;
-constexpr float kHandStillPx = 4.0F;
+constexpr float kFingerStillPx = 4.0F;
 
 }  // namespace
 
@@ -178,15 +178,15 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
     }
 }
 
-void KioskPointer::lift_hand(std::vector<PointerNews>& news) {
-    if (hand_down_) news.push_back({.kind = Kind::kHandUp, .at_px = at_px_});
-    hand_down_ = false;
+void KioskPointer::lift_finger(std::vector<PointerNews>& news) {
+    if (finger_down_) news.push_back({.kind = Kind::kFingerUp, .at_px = at_px_});
+    finger_down_ = false;
 }
 
 void KioskPointer::handle_pointer(const window::PointerEvent& pointer, double now_s,
                                   std::vector<PointerNews>& news) {
     if (!std::isfinite(pointer.x_px) || !std::isfinite(pointer.y_px)) {
-        lift_hand(news);
+        lift_finger(news);
         return;
     }
     at_px_ = vec2(pointer.x_px, pointer.y_px);
@@ -199,13 +199,13 @@ void KioskPointer::handle_pointer(const window::PointerEvent& pointer, double no
         leapt_s_ = now_s;
     }
     if (pressed_ >= 0) pressed_over_ = target_at(at_px_) == pressed_;
-    if (hand_down_ && !in_window(at_px_)) lift_hand(news);
-    if (hand_down_ && glm::length(at_px_ - hand_still_px_) > kHandStillPx) {
-        hand_still_px_ = at_px_;
-        hand_still_s_ = now_s;
+    if (finger_down_ && !in_window(at_px_)) lift_finger(news);
+    if (finger_down_ && glm::length(at_px_ - finger_still_px_) > kFingerStillPx) {
+        finger_still_px_ = at_px_;
+        finger_still_s_ = now_s;
     }
-    if (hand_down_) {
-        news.push_back({.kind = Kind::kHandMoved, .at_px = at_px_});
+    if (finger_down_) {
+        news.push_back({.kind = Kind::kFingerMoved, .at_px = at_px_});
     } else if (buttons_down_ == 0) {
         news.push_back({.kind = Kind::kHovered, .at_px = at_px_});
     }
@@ -216,7 +216,7 @@ void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s
     const unsigned bit = 1U << static_cast<unsigned>(button.button);
     const bool is_alone = (buttons_down_ & ~bit) == 0;
     buttons_down_ = button.pressed ? buttons_down_ | bit : buttons_down_ & ~bit;
-    if (button.pressed) lift_hand(news);  // a second button, or one whose release was lost
+    if (button.pressed) lift_finger(news);  // a second button, or one whose release was lost
     if (button.button != window::MouseButton::kLeft) return;
     if (button.pressed) {
         scans_ = false;
@@ -228,18 +228,18 @@ void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s
         pressed_key_ = screen_key_;
         repeat_s_ = now_s + kRepeatAfterS;
         has_repeated_ = false;
-        hand_down_ = pressed_ < 0 && !corner_s_ && is_alone;
-        hand_still_px_ = at_px_;
-        hand_still_s_ = now_s;
+        finger_down_ = pressed_ < 0 && !corner_s_ && is_alone;
+        finger_still_px_ = at_px_;
+        finger_still_s_ = now_s;
         if (pressed_ >= 0) {
             life_s_.reset();
         } else {
-            news.push_back({.kind = hand_down_ ? Kind::kHandDown : Kind::kLife, .at_px = at_px_});
+            news.push_back({.kind = finger_down_ ? Kind::kFingerDown : Kind::kLife, .at_px = at_px_});
         }
         return;
     }
     corner_s_.reset();
-    lift_hand(news);
+    lift_finger(news);
     const bool counts =
         pressed_ >= 0 && pressed_ < target_count() && pressed_over_ && pressed_key_ == screen_key_;
     // A token that has repeated is not pressed again on release.
@@ -261,7 +261,7 @@ void KioskPointer::handle(const window::Event& event, double now_s, std::vector<
     } else if (const auto* focus = std::get_if<window::FocusEvent>(&event)) {
         if (focus->focused) return;
         // A window without focus gets no release events.
-        lift_hand(news);
+        lift_finger(news);
         buttons_down_ = 0;
         pressed_ = -1;
         pressed_over_ = false;
@@ -282,7 +282,7 @@ void KioskPointer::pass_time(double now_s, std::vector<PointerNews>& news) {
             news.push_back({Kind::kPressed, target.button, target.value, at_px_});
         }
     }
-    if (hand_down_ && now_s - hand_still_s_ >= kLongestStillS) lift_hand(news);
+    if (finger_down_ && now_s - finger_still_s_ >= kLongestStillS) lift_finger(news);
     if (life_s_ && now_s >= *life_s_) {
         life_s_.reset();
         news.push_back({.kind = Kind::kLife, .at_px = at_px_});

@@ -1,4 +1,4 @@
-#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Which hands a command lets at the wheel, and what becomes of them while it runs. The haptic job gets them
+// Which devices a command lets at the wheel, and what becomes of them while it runs. The haptic job gets them
 // as one device; the main thread asks here who is plugged in and who has the tool. Main thread.
 #pragma once
 
@@ -16,28 +16,28 @@ namespace onggi::app {
 
 // A word for the devices that may hold the tool: `auto` (whatever is plugged in, now or later), or one
 // device: a kind (joystick, spacemouse, dualsense, inverse3), a node (/dev/hidraw3) or numbers (256f:c635).
-// Any other word is the first hand's name: nothing besides it. The foot pedal serves beside all but that.
+// Any other word is the first device's name: nothing besides it. The foot pedal serves beside all but that.
 [[nodiscard]] bool names_a_device(const std::string& word);
 
-class HandDevices {
+class AttachedDevices {
   public:
     // `first` is always there. A recording yields to whoever moves a device. System lacks: a device named by
     // node or numbers is not plugged in, or is none that is driven here.
-    static Result<HandDevices> make(const std::string& word, std::unique_ptr<haptic::ToolDevice> first,
-                                    bool first_is_a_recording);
+    static Result<AttachedDevices> make(const std::string& word, std::unique_ptr<haptic::ToolDevice> first,
+                                        bool first_is_a_recording);
 
     // For the haptic job, once. It owns the devices: ask nothing below after it is gone.
     [[nodiscard]] haptic::ToolDevices take() { return {std::move(group_), *first_}; }
 
     // What has changed since the last call, a line each: who came, who went, who is refused and why.
     [[nodiscard]] std::vector<std::string> news();
-    // The hand that has the tool; empty: the first.
+    // The device that has the tool; empty: the first.
     [[nodiscard]] std::string holder() const;
-    // Whether somebody has done something with a hand besides the first, or a pedal, since the last call.
+    // Whether somebody has done something with a device besides the first, or a pedal, since the last call.
     [[nodiscard]] bool somebody_moved();
-    // Whether a hand besides the first is plugged in and works, as of the last news().
-    [[nodiscard]] bool has_hand() const;
-    // The hands and pedals that are plugged in, as of the last news().
+    // Whether a device besides the first is plugged in and works, as of the last news().
+    [[nodiscard]] bool has_device() const;
+    // The devices and pedals that are plugged in, as of the last news().
     struct Seen {
         std::string name;
         std::string ability;  // "moves the tool; pushes, 2 axes, 3.0 N"
@@ -62,7 +62,7 @@ class HandDevices {
     };
     static Watched watch(haptics::HidDevice& device);
 
-    HandDevices() = default;
+    AttachedDevices() = default;
     void add(haptics::HidKind kind, const std::string& only,
              std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
     void add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);

@@ -1,9 +1,9 @@
 // A gamepad at the wheel: sticks, triggers and buttons.
-#include "game/app/devices/gamepad_hand.h"
+#include "game/app/devices/gamepad_finger.h"
 
 #include <gtest/gtest.h>
 
-#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/finger/kiosk_pointer.h"
 
 namespace onggi::app {
 namespace {
@@ -13,24 +13,24 @@ using window::Gamepad;
 constexpr double kFrame = 1.0 / 60.0;
 
 GamepadRequest request_of(const Gamepad& pad) {
-    return GamepadHand().request(std::span(&pad, 1), kFrame);
+    return GamepadFinger().request(std::span(&pad, 1), kFrame);
 }
 
 struct AGamepad : testing::Test {
     GamepadRequest asks(double seconds = kFrame) { return hand.request(std::span(&pad, 1), seconds); }
 
-    GamepadHand hand;
+    GamepadFinger hand;
     Gamepad pad;
 };
 
-TEST(GamepadHand, IsStillWithinItsDeadBand) {
+TEST(GamepadFinger, IsStillWithinItsDeadBand) {
     const GamepadRequest request = request_of({.left_x = 0.1F, .left_y = -0.1F, .left_trigger = 0.05F});
     EXPECT_EQ(request.step_mm, dvec2(0.0));
     EXPECT_FALSE(request.is_used);
     EXPECT_FALSE(request.presses);
 }
 
-TEST(GamepadHand, MovesTheToolByTheSticksFinelyByTheRightOne) {
+TEST(GamepadFinger, MovesTheToolByTheSticksFinelyByTheRightOne) {
     const GamepadRequest all = request_of({.left_x = 1.0F, .left_y = -1.0F});
     EXPECT_GT(all.step_mm.x, 0.0);
     EXPECT_GT(all.step_mm.y, 0.0) << "up is up";
@@ -44,8 +44,8 @@ TEST(GamepadHand, MovesTheToolByTheSticksFinelyByTheRightOne) {
     EXPECT_LT(half, 0.2 * right.step_mm.x) << "a light push moves finely";
 }
 
-TEST(GamepadHand, ForgetsNobodyAndPassesNoLimitWithTwoPads) {
-    GamepadHand hand;
+TEST(GamepadFinger, ForgetsNobodyAndPassesNoLimitWithTwoPads) {
+    GamepadFinger hand;
     const std::array<Gamepad, 2> pads{
         {{.left_x = 1.0F}, {.slot = 1, .left_x = 1.0F, .buttons = Gamepad::kA}}};
     const GamepadRequest request = hand.request(pads, kFrame);

@@ -37,9 +37,9 @@ struct GamepadRequest {
 // What the pad asks of the ring, as the keys that ask the same.
 [[nodiscard]] std::vector<window::KeyEvent> keys_of(const GamepadRequest& request);
 
-class GamepadHand {
+class GamepadFinger {
   public:
-    explicit GamepadHand(const GamepadMapping& mapping = {}) : mapping_(mapping) {}
+    explicit GamepadFinger(const GamepadMapping& mapping = {}) : mapping_(mapping) {}
 
     // The request of the pads together, after dt_s. Left stick: to the sides, up and down; right stick: the
     // same, finely. A or the right trigger presses; bumpers make the wheel slower and faster, the cross up

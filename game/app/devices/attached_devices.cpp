@@ -1,4 +1,4 @@
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 
 #include <fmt/format.h>
 
@@ -76,21 +76,21 @@ bool names_a_device(const std::string& word) {
     return word == kAuto || word == kInverse || is_kind || is_node(word) || are_numbers(word);
 }
 
-HandDevices::Watched HandDevices::watch(haptics::HidDevice& device) {
+AttachedDevices::Watched AttachedDevices::watch(haptics::HidDevice& device) {
     return {.kind = device.kind(),
             .word = std::string(haptics::hid::words_for(device.kind())),
             .status = [&device]() -> const haptics::hid::HidStatus& { return device.status(); },
             .ability = ability_of(device.capabilities(), device.kind() == HidKind::kVecPedal)};
 }
 
-void HandDevices::add(HidKind kind, const std::string& only,
-                      std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
+void AttachedDevices::add(HidKind kind, const std::string& only,
+                          std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
     auto device = haptics::make_hid_device({.kind = kind, .only = only});
     tools_.push_back(watch(*device));
     devices.push_back(std::move(device));
 }
 
-void HandDevices::add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
+void AttachedDevices::add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
     auto device = std::make_unique<haptics::InverseDevice>();
     haptics::InverseDevice& watched = *device;
     tools_.push_back({.word = "Haply Inverse3",
@@ -99,9 +99,10 @@ void HandDevices::add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>
     devices.push_back(std::move(device));
 }
 
-Result<HandDevices> HandDevices::make(const std::string& word, std::unique_ptr<haptic::ToolDevice> first,
-                                      bool first_is_a_recording) {
-    HandDevices made;
+Result<AttachedDevices> AttachedDevices::make(const std::string& word,
+                                              std::unique_ptr<haptic::ToolDevice> first,
+                                              bool first_is_a_recording) {
+    AttachedDevices made;
     std::vector<std::unique_ptr<haptics::HapticDevice>> devices;
     made.first_ = first.get();
     devices.push_back(std::move(first));
@@ -133,7 +134,7 @@ Result<HandDevices> HandDevices::make(const std::string& word, std::unique_ptr<h
     return made;
 }
 
-std::vector<std::string> HandDevices::news() {
+std::vector<std::string> AttachedDevices::news() {
     std::vector<std::string> lines;
     const auto tell = [&](Watched& watched) {
         const haptics::hid::HidStatus& now = watched.status();
@@ -160,24 +161,24 @@ std::vector<std::string> HandDevices::news() {
     return lines;
 }
 
-std::string HandDevices::holder() const {
+std::string AttachedDevices::holder() const {
     const std::size_t holder = watched_group_->holder();
     if (holder == 0) return {};
     const Watched& watched = tools_[holder - 1];
     return watched.name_of(watched.last);
 }
 
-bool HandDevices::somebody_moved() {
+bool AttachedDevices::somebody_moved() {
     const std::uint64_t now = watched_group_->signs_of_life();
     return std::exchange(signs_of_life_, now) != now;
 }
 
-bool HandDevices::has_hand() const {
+bool AttachedDevices::has_device() const {
     return std::any_of(tools_.begin(), tools_.end(),
                        [](const Watched& watched) { return watched.last.state == State::kReady; });
 }
 
-std::vector<HandDevices::Seen> HandDevices::seen() const {
+std::vector<AttachedDevices::Seen> AttachedDevices::seen() const {
     std::vector<Seen> seen;
     const auto add_one = [&](const Watched& watched) {
         if (watched.last.state == State::kAbsent) return;
@@ -191,7 +192,7 @@ std::vector<HandDevices::Seen> HandDevices::seen() const {
     return seen;
 }
 
-bool HandDevices::drives(std::uint16_t vendor_id, std::uint16_t product_id) const {
+bool AttachedDevices::drives(std::uint16_t vendor_id, std::uint16_t product_id) const {
     const auto known = haptics::hid::known_devices();
     const auto entry = std::find_if(known.begin(), known.end(), [&](const haptics::hid::KnownDevice& one) {
         return one.vendor_id == vendor_id && one.product_id == product_id;

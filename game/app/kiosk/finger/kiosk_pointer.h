@@ -15,15 +15,15 @@ namespace onggi::app {
 struct PointerNews {
     enum class Kind {
         kNone,
-        kLife,        // any input; value 1: a key
-        kPressed,     // a target, on release or by a repeat; `button` and `value`
-        kHandDown,    // on the scene, not on a target
-        kHandMoved,   // while the hand is down
-        kHandUp,      // lifted, or ended because it cannot be a finger any more
-        kHovered,     // the mouse moved with no button held
-        kNudged,      // an arrow key without a focus ring; `button` is one of the pad's
-        kPutDown,     // Enter without a focus ring
-        kCornerHeld,  // the staff's corner was held long enough
+        kLife,         // any input; value 1: a key
+        kPressed,      // a target, on release or by a repeat; `button` and `value`
+        kFingerDown,   // on the scene, not on a target
+        kFingerMoved,  // while the finger is down
+        kFingerUp,     // lifted, or ended because it cannot be a finger any more
+        kHovered,      // the mouse moved with no button held
+        kNudged,       // an arrow key without a focus ring; `button` is one of the pad's
+        kPutDown,      // Enter without a focus ring
+        kCornerHeld,   // the staff's corner was held long enough
         kCloseAsked,
         kFullScreen,
         kStopForce,
@@ -54,7 +54,7 @@ class KioskPointer {
     [[nodiscard]] vec2 at_px() const { return at_px_; }
     // Whether a finger is on the scene, beside all targets. It ends if the finger leaves the window, does not
     // move for a minute, a second button is pressed, or the window loses focus.
-    [[nodiscard]] bool rests_on_scene() const { return hand_down_; }
+    [[nodiscard]] bool rests_on_scene() const { return finger_down_; }
     // A new visit: drops ring and scan.
     void forget();
 
@@ -75,7 +75,7 @@ class KioskPointer {
     [[nodiscard]] bool in_window(vec2 px) const;
     void handle_pointer(const window::PointerEvent& pointer, double now_s, std::vector<PointerNews>& news);
     void handle_button(const window::ButtonEvent& button, double now_s, std::vector<PointerNews>& news);
-    void lift_hand(std::vector<PointerNews>& news);
+    void lift_finger(std::vector<PointerNews>& news);
     void handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news);
     void press_focus(std::vector<PointerNews>& news) const;
     void move_focus(int by);
@@ -89,9 +89,9 @@ class KioskPointer {
     std::optional<double> life_s_;  // when to report the motion as a sign of life
     bool pointer_came_ = false;
     unsigned buttons_down_ = 0;  // one bit per button
-    bool hand_down_ = false;
-    vec2 hand_still_px_{0.0F};  // where the hand rests on the scene, and since when
-    double hand_still_s_ = 0.0;
+    bool finger_down_ = false;
+    vec2 finger_still_px_{0.0F};  // where the finger rests on the scene, and since when
+    double finger_still_s_ = 0.0;
     int pressed_ = -1;
     Meaning pressed_meaning_{};
     bool pressed_over_ = false;  // the pointer is still on the pressed target
