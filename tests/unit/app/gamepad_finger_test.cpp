@@ -44,7 +44,7 @@ TEST(GamepadFinger, MovesTheToolByTheSticksFinelyByTheRightOne) {
     EXPECT_LT(half, 0.2 * right.step_mm.x) << "a light push moves finely";
 }
 
-TEST(GamepadFinger, ForgetsNobodyAndPassesNoLimitWithTwoPads) {
+TEST(GamepadFinger, CombinesTwoPadsWithinTheLimits) {
     GamepadFinger hand;
     const std::array<Gamepad, 2> pads{
         {{.left_x = 1.0F}, {.slot = 1, .left_x = 1.0F, .buttons = Gamepad::kA}}};

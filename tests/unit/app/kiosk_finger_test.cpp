@@ -39,7 +39,7 @@ class KioskFingerTest : public ::testing::Test {
 };
 
 TEST_F(KioskFingerTest, IsAFingerThatDoesNotPressWhileItOnlyHoversOrRests) {
-    EXPECT_FALSE(next(finger_, shape_).pressing) << "nobody has come";
+    EXPECT_FALSE(next(finger_, shape_).pressing) << "no visitor yet";
     finger_.hover({20.0, 50.0});
     const auto tool = next(finger_, shape_);
     EXPECT_TRUE(tool.guided);
@@ -86,7 +86,7 @@ TEST_F(KioskFingerTest, LetsGoOfAFingerThatLeapsOrIsNoNumber) {
     finger_.drag({60.0, 50.0});
     EXPECT_FALSE(next(finger_, shape_).pressing);
     finger_.drag({55.0, 50.0});
-    EXPECT_FALSE(next(finger_, shape_).pressing) << "until it comes anew";
+    EXPECT_FALSE(next(finger_, shape_).pressing) << "until it presses again";
     finger_.press({55.0, 50.0});
     EXPECT_TRUE(next(finger_, shape_).pressing);
     constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
@@ -156,7 +156,7 @@ TEST_F(KioskFingerTest, GivesWayToWhateverTheVisitorDoes) {
     finger_.show(ShownStep::kRaise, lump_, 1.0);
     after(finger_, lump_, 1.5);
     finger_.hover({0.0, 0.0});
-    EXPECT_TRUE(finger_.shows()) << "a mouse that trembles is nobody";
+    EXPECT_TRUE(finger_.shows()) << "a trembling mouse is not a visitor";
     finger_.press({0.0, 60.0});
     next(finger_, lump_);
     const auto tool = next(finger_, lump_);
@@ -254,7 +254,7 @@ TEST(KioskPot, FindsTheThinnestPlaceOfAWall) {
     EXPECT_EQ(thinnest_wall_mm(pot(80, 60, 8, 80)), 0.0);
 }
 
-// Frames with that in the hand.
+// Runs frames with that tool in the hand.
 tool::ToolState holding(KioskFinger& finger, tool::Tool held, const pot::Pot& shape) {
     return finger.request({.tool = held}, shape, 1.0 / 60.0);
 }
@@ -287,7 +287,7 @@ TEST_F(KioskFingerTest, HoldsTheWireBelowTheRimAndMovesItWithoutATouch) {
 
 TEST_F(KioskFingerTest, PullsTheWireThroughOnce) {
     finger_.cut_rim();
-    EXPECT_EQ(holding(finger_, tool::Tool::kHand, shape_).wire, tool::Wire::kNone) << "nobody holds it";
+    EXPECT_EQ(holding(finger_, tool::Tool::kHand, shape_).wire, tool::Wire::kNone) << "it is not held";
     holding(finger_, tool::Tool::kWire, shape_);
     finger_.cut_rim();
     const auto tool = holding(finger_, tool::Tool::kHand, shape_);

@@ -1,4 +1,4 @@
-// Several devices at one wheel: which has the tool, how it changes hands, and which feels the clay.
+// Several devices at one wheel: which one holds the tool, how it changes, and which one feels the clay.
 #include "engine/haptics/device_group.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStep = 0.001;
 
-// What the test does with a hand.
+// The test's control of a hand.
 struct Puppet {
     HandSample sample;
     DeviceCapabilities can{.name = "puppet"};
@@ -144,7 +144,7 @@ TEST_F(DeviceGroupTest, TheToolLeavesTheClayWhenTheHandThatHeldItIsGoneForGood) 
     after(0.4);
     EXPECT_EQ(group_->holder(), 2U) << "a loose plug is back in a moment";
     after(0.2);
-    EXPECT_EQ(group_->holder(), 0U) << "nobody has to know that the mouse is to be moved";
+    EXPECT_EQ(group_->holder(), 0U) << "the visitor need not know that the mouse must be moved";
     EXPECT_EQ(after(0.2).position_mm, mouse_.sample.position_mm);
     stick_.is_here = true;
     after(kStep);
@@ -155,7 +155,7 @@ TEST_F(DeviceGroupTest, OneThatSaysNonsenseLosesTheToolAndGetsItBackBySense) {
     const dvec3 sense_mm = stick_.sample.position_mm;
     for (const dvec3& nonsense_mm :
          {dvec3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), dvec3(0.0, 2000.0, 0.0)}) {
-        stick_.is_moving = true;  // and trembles for ever
+        stick_.is_moving = true;  // and never stops trembling
         after(1.0);
         ASSERT_EQ(group_->holder(), 2U);
         stick_.sample.position_mm = nonsense_mm;
@@ -212,7 +212,7 @@ TEST_F(DeviceGroupTest, ADeviceThatComesInTheMidstOfATouchIsABallThatComesFromBe
     ASSERT_TRUE(stick_.took_over_mm);
     EXPECT_GT(stick_.took_over_mm->z, 150.0);
     EXPECT_EQ(after(1.0).position_mm, stick_.sample.position_mm);
-    // And back: a finger is where it is, with no way through the clay.
+    // And back: a finger's position applies at once, without an approach.
     stick_.is_moving = false;
     mouse_.is_moving = true;
     mouse_.sample.presses = false;
@@ -259,7 +259,7 @@ TEST_F(DeviceGroupTest, AfterAChangeTheForceStartsFromNothingOnceItIsSmall) {
 }
 
 TEST_F(DeviceGroupTest, TheObserverCountsTheWorkOfWhatReallyWentOut) {
-    // A hand takes the tool over, and is pushed while it moves: its own ramp comes on top of the chain's.
+    // A device takes the tool over and feels a force while it moves: its own ramp multiplies the chain's.
     const SafetyLimits limits = limits_for(stick_.can);
     SafetyState safety;
     dvec3 last_mm(0.0);
@@ -283,7 +283,7 @@ TEST_F(DeviceGroupTest, TheObserverCountsTheWorkOfWhatReallyWentOut) {
             limits, safety));
         ASSERT_NEAR(safety.given_mj - safety.taken_mj, work_mj, 1e-9) << k;
     }
-    EXPECT_GT(asked_mj, work_mj + 1.0) << "the ramp has taken some of it";
+    EXPECT_GT(asked_mj, work_mj + 1.0) << "the ramp has reduced it";
     EXPECT_GT(work_mj, 1.0);
 }
 
