@@ -16,8 +16,8 @@
 #include <span>
 #include <string_view>
 
+#include "engine/haptics/hand_sample.h"
 #include "engine/haptics/haptic_device.h"
-#include "engine/haptics/tool_state.h"
 #include "engine/math/math.h"
 
 namespace onggi::haptics {

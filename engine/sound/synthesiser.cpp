@@ -28,7 +28,7 @@ double limited(double sample) {
 
 Synthesiser::Wanted Synthesiser::wanted_of(const SoundScene& scene) noexcept {
     const double press_n = bounded(scene.contact_n, 0.0, kHardestPressN);
-    return {.rev_min = bounded(scene.wheel_rev_min, 0.0, kFastestRevMin),
+    return {.rev_min = bounded(scene.rev_min, 0.0, kFastestRevMin),
             .motor_load = bounded(scene.motor_load, 0.0, 1.0),
             // Compressed: about half as loud again for each doubling, so that a light touch is audible and a
             // hard one not too loud.

@@ -12,18 +12,18 @@ namespace onggi::sound {
 
 // The scene to synthesise, in physical terms; the main thread sets it once a frame. Plain values; any thread.
 struct SoundScene {
-    double wheel_rev_min = 0.0;  // actual speed, not the requested one: a wheel under load sounds lower
-    double motor_load = 0.0;     // 0 idle to 1 nearly stalled
-    double contact_n = 0.0;      // normal force of the tool
-    double slip_mm_s = 0.0;      // speed of the surface under the tool
-    double wetness = 0.0;        // 0 leather-dry to 1 dripping
-    bool is_hard_tool = false;   // true: scrapes; false: a hand or soft tool
-    double place = 0.0;          // stereo position of the tool, -1 left to 1 right
-    std::uint32_t slaps = 0;     // counts lumps thrown on the wheel; each increase sounds once
-    bool is_plucked = false;     // a taut string gives way; sounds once at each change to true
-    std::uint32_t chimes = 0;    // counts loudspeaker tests; each increase sounds left, right, then both
-    bool fire_burns = false;     // a pot is fired: a low, unsteady roar
-    double volume = 0.5;         // 0 silent to 1
+    double rev_min = 0.0;     // of the wheel: actual speed, not the requested one; under load it sounds lower
+    double motor_load = 0.0;  // 0 idle to 1 nearly stalled
+    double contact_n = 0.0;   // normal force of the tool
+    double slip_mm_s = 0.0;   // speed of the surface under the tool
+    double wetness = 0.0;     // 0 leather-dry to 1 dripping
+    bool is_hard_tool = false;  // true: scrapes; false: a hand or soft tool
+    double place = 0.0;         // stereo position of the tool, -1 left to 1 right
+    std::uint32_t slaps = 0;    // counts lumps thrown on the wheel; each increase sounds once
+    bool is_plucked = false;    // a taut string gives way; sounds once at each change to true
+    std::uint32_t chimes = 0;   // counts loudspeaker tests; each increase sounds left, right, then both
+    bool fire_burns = false;    // a pot is fired: a low, unsteady roar
+    double volume = 0.5;        // 0 silent to 1
 };
 
 // The building blocks of voices: smoothed parameters, noise, filters, a sine without libm. Pure; one thread

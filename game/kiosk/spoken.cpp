@@ -24,15 +24,15 @@ std::string_view throwing_key(const State& state) {
     if (state.throwing.warning != Warning::kNone) return warning_key(state.throwing.warning);
     if (state.throwing.shown) return "show.on";
     if (state.throwing.tray) return "tool.title";
-    constexpr std::array<std::string_view, kHeldCount> kHeld{"", "tool.rib.line", "tool.sponge.line",
-                                                             "wire.how"};
+    constexpr std::array<std::string_view, kTrayTools.size()> kHeld{"", "tool.rib.line", "tool.sponge.line",
+                                                                    "wire.how"};
     if (state.throwing.jar.is_low) return "moon.low";
     if (state.throwing.jar.rims_apart) return "moon.more";
     if (state.throwing.jar.step == JarStep::kAside) return "moon.s2";
     if (state.throwing.jar.step == JarStep::kSeam) return "moon.s5";
     if (state.throwing.jar.step != JarStep::kNone && state.throwing.steps_done == 0)
         return state.throwing.jar.step == JarStep::kFirstBowl ? "moon.s1" : "moon.s3";
-    if (state.throwing.held != Held::kHand) return kHeld[static_cast<std::size_t>(state.throwing.held)];
+    if (state.throwing.held != tool::Tool::kHand) return kHeld[tray_place(state.throwing.held)];
     constexpr std::array<std::string_view, kTeachingSteps + 1> kSteps{"step.press", "step.open", "step.raise",
                                                                       "step.own"};
     return kSteps[static_cast<std::size_t>(state.throwing.steps_done)];

@@ -2,8 +2,13 @@
 // seconds of the caller's monotonic clock.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
+
+#include "game/tool/tool.h"
 
 namespace onggi::kiosk {
 
@@ -55,9 +60,13 @@ constexpr int kMostTextSize = 3;
 enum class Warning { kNone, kThin, kWet, kFast };
 enum class FiringStage { kCut, kDry, kFire };
 
-// The tool in the hand while throwing.
-enum class Held { kHand, kRib, kSponge, kWire };
-constexpr int kHeldCount = 4;
+// What a hand may hold while it throws, in the order of the tray.
+constexpr std::array kTrayTools{tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire};
+// Precondition: it is one of them.
+[[nodiscard]] constexpr std::size_t tray_place(tool::Tool held) {
+    return static_cast<std::size_t>(std::find(kTrayTools.begin(), kTrayTools.end(), held) -
+                                    kTrayTools.begin());
+}
 
 // The steps of making a jar from two bowls, joined rim to rim. All but kAside and kJoin throw clay.
 enum class JarStep {
@@ -91,7 +100,7 @@ struct Throwing {
     // The step that the wheel's own hands demonstrate on the visitor's clay, counted from 0. kTeachingSteps
     // stands for the tool that is held.
     std::optional<int> shown{};
-    Held held = Held::kHand;
+    tool::Tool held = tool::Tool::kHand;
     bool tray = false;  // the ledge shows the tray of tools
     int tool = 2;
     int water = 3;
@@ -225,8 +234,8 @@ struct State : ScreenState {
 
 // A one-word name for titles and logs: "attract".
 [[nodiscard]] std::string_view name_of(Screen screen);
-[[nodiscard]] std::string_view name_of(Panel panel);  // empty for kNone
-[[nodiscard]] std::string_view name_of(Held held);    // empty for the bare hand
+[[nodiscard]] std::string_view name_of(Panel panel);      // empty for kNone
+[[nodiscard]] std::string_view name_of(tool::Tool held);  // empty for the bare hand
 
 // Whole seconds left of the idle panel's countdown.
 [[nodiscard]] int seconds_left(const State& state, double countdown_s, double now_s);

@@ -21,9 +21,9 @@ std::string_view name_of(Panel panel) {
     return kNames[static_cast<std::size_t>(panel)];
 }
 
-std::string_view name_of(Held held) {
-    constexpr std::array<std::string_view, kHeldCount> kNames{"", "rib", "sponge", "wire"};
-    return kNames[static_cast<std::size_t>(held)];
+std::string_view name_of(tool::Tool held) {
+    constexpr std::array<std::string_view, kTrayTools.size()> kNames{"", "rib", "sponge", "wire"};
+    return kNames[tray_place(held)];
 }
 
 int seconds_left(const State& state, double countdown_s, double now_s) {

@@ -59,7 +59,7 @@ void step_back(Turn& turn) {
             break;
         case JarStep::kSeam:
             turn.add(Effect::Kind::kTakeBack, 2);
-            turn.state.throwing.held = Held::kHand;
+            turn.state.throwing.held = tool::Tool::kHand;
             go_to(turn, JarStep::kSecondBowl);
             break;
         case JarStep::kNone:
@@ -99,7 +99,7 @@ void resume_jar(Turn& turn) {
     turn.state.throwing.jar.step = step;
     if (step != JarStep::kSeam) return;
     turn.state.throwing.steps_done = kTeachingSteps;
-    turn.state.throwing.held = Held::kRib;
+    turn.state.throwing.held = tool::Tool::kRib;
 }
 
 void put_on_new_clay(Turn& turn) {
@@ -190,7 +190,7 @@ void take_jar(Turn& turn, const Event& event) {
             if (jar.step != JarStep::kJoin) break;
             go_to(turn, JarStep::kSeam);
             state.throwing.steps_done = kTeachingSteps;
-            state.throwing.held = Held::kRib;
+            state.throwing.held = tool::Tool::kRib;
             break;
         case Event::Kind::kJarStays:
             jar.waits = false;

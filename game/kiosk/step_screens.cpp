@@ -6,7 +6,7 @@ namespace onggi::kiosk {
 namespace {
 
 void finish_throwing(Turn& turn) {
-    turn.state.throwing.held = Held::kHand;
+    turn.state.throwing.held = tool::Tool::kHand;
     turn.state.throwing.tray = false;
     // A bowl that is cut off before the bowls are joined is an ordinary pot.
     if (turn.state.throwing.jar.step != JarStep::kSeam) turn.state.throwing.jar = {};
@@ -70,13 +70,13 @@ void press_throw(Turn& turn, const Event& event) {
             throwing.tray = !throwing.tray;
             break;
         case Button::kTakeTool:
-            if (event.value < 0 || event.value >= kHeldCount) break;
-            throwing.held = static_cast<Held>(event.value);
+            if (event.value < 0 || event.value >= static_cast<int>(kTrayTools.size())) break;
+            throwing.held = kTrayTools[static_cast<std::size_t>(event.value)];
             throwing.tray = false;
             break;
         case Button::kCut:
-            if (throwing.held != Held::kWire) break;
-            throwing.held = Held::kHand;  // the wire is laid back after one cut
+            if (throwing.held != tool::Tool::kWire) break;
+            throwing.held = tool::Tool::kHand;  // the wire is laid back after one cut
             turn.add(Effect::Kind::kCutRim);
             break;
         case Button::kToolLess:

@@ -8,9 +8,9 @@ namespace onggi::kiosk {
 
 void begin_show(Turn& turn) {
     Throwing& throwing = turn.state.throwing;
-    const bool is_tool = throwing.held == Held::kRib || throwing.held == Held::kSponge;
+    const bool is_tool = throwing.held == tool::Tool::kRib || throwing.held == tool::Tool::kSponge;
     const int step = is_tool ? kTeachingSteps : std::min(throwing.steps_done, kTeachingSteps - 1);
-    if (!is_tool) throwing.held = Held::kHand;
+    if (!is_tool) throwing.held = tool::Tool::kHand;
     throwing.tray = false;
     throwing.shown = step;
     turn.state.pace.shown_s = turn.now_s;
@@ -37,7 +37,7 @@ void pass_show(Turn& turn) {
     // Once per step, and never while the visitor's hand is on the clay or holds a tool, or when the clay is
     // near collapse.
     const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !pace.held &&
-                           throwing.held == Held::kHand && !throwing.tray &&
+                           throwing.held == tool::Tool::kHand && !throwing.tray &&
                            pace.seen_since_touch != throwing.steps_done && throwing.warning == Warning::kNone;
     const double quiet_s = now_s - std::max(pace.touched_s, pace.show_over_s);
     if (is_wanted && now_s - pace.progress_s >= rules.show_after_s && quiet_s >= rules.show_rests_s)

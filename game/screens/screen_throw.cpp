@@ -14,16 +14,13 @@ namespace onggi::screens {
 namespace {
 
 using kiosk::Button;
-using kiosk::Held;
+using kiosk::tray_place;
+using tool::Tool;
 using ui::Rect;
 
 constexpr std::array kHeldIcons{Icon::kHand, Icon::kRib, Icon::kSponge, Icon::kWire};
 constexpr std::array kHeldKeys{"tool.hand", "tool.rib", "tool.sponge", "tool.wire"};
 constexpr std::array kHeldLines{"tool.hand.line", "tool.rib.line", "tool.sponge.line", "tool.wire.line"};
-
-std::size_t place_of(Held held) {
-    return static_cast<std::size_t>(held);
-}
 
 // A small sign at the end of a token.
 void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
@@ -335,7 +332,7 @@ void add_guards(Page& page) {
 }  // namespace
 
 void add_held_token(Page& page, const Rect& place, float label_width) {
-    const std::size_t held = place_of(page.view().state.throwing.held);
+    const std::size_t held = tray_place(page.view().state.throwing.held);
     const int target = add_round(page, place, kHeldIcons[held], Button::kTools, kHeldKeys[held], label_width);
     add_sign(page, page.on_ledge(place), Icon::kMore, target);
 }
@@ -343,18 +340,18 @@ void add_held_token(Page& page, const Rect& place, float label_width) {
 void add_tool_tray(Page& page) {
     const kiosk::Throwing& throwing = page.view().state.throwing;
     const std::string& title = page.t("tool.title");
-    const std::string& line = page.t(kHeldLines[place_of(throwing.held)]);
+    const std::string& line = page.t(kHeldLines[tray_place(throwing.held)]);
     const Setting size = size_setting(throwing);
     const float width = page.width();
     const float top = ledge_top(page);
     const float y = row_y(page);
-    const auto choices = [&](float x, float row, float pitch, float wide, std::initializer_list<Held> all) {
-        for (const Held held : all) {
+    const auto choices = [&](float x, float row, float pitch, float wide, std::initializer_list<Tool> all) {
+        for (const Tool held : all) {
             add_choice(page, {x, row, wide, 66.0F},
-                       {.icon = kHeldIcons[place_of(held)],
-                        .key = kHeldKeys[place_of(held)],
+                       {.icon = kHeldIcons[tray_place(held)],
+                        .key = kHeldKeys[tray_place(held)],
                         .button = Button::kTakeTool,
-                        .value = static_cast<int>(held),
+                        .value = static_cast<int>(tray_place(held)),
                         .chosen = held == throwing.held},
                        label_height(page), 0.5F * (pitch - 8.0F - wide));
             x += pitch;
@@ -363,20 +360,20 @@ void add_tool_tray(Page& page) {
     switch (page.shape()) {
         case Shape::kWide:
             add_lines(page, {34.0F, top + 20.0F, 306.0F, 116.0F + growth(page).labels}, title, line);
-            choices(358.0F, y, 146.0F, 130.0F, {Held::kHand, Held::kRib, Held::kSponge, Held::kWire});
+            choices(358.0F, y, 146.0F, 130.0F, {Tool::kHand, Tool::kRib, Tool::kSponge, Tool::kWire});
             add_stepper(page, {942.0F, y, 160.0F, 66.0F}, size, false);
             add_back(page, {width - 162.0F, y, 130.0F, 66.0F});
             return;
         case Shape::kSquare:
             add_lines(page, {32.0F, top + 12.0F, width - 64.0F, 74.0F + growth(page).caption}, title, line);
-            choices(32.0F, y, 130.0F, 112.0F, {Held::kHand, Held::kRib, Held::kSponge, Held::kWire});
+            choices(32.0F, y, 130.0F, 112.0F, {Tool::kHand, Tool::kRib, Tool::kSponge, Tool::kWire});
             add_stepper(page, {width - 384.0F, y, 164.0F, 66.0F}, size, false);
             add_back(page, {width - 170.0F, y, 138.0F, 66.0F});
             return;
         case Shape::kTall:
             add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 84.0F + growth(page).caption}, title, line);
-            choices(32.0F, y, 228.0F, 200.0F, {Held::kHand, Held::kRib, Held::kSponge});
-            choices(32.0F, second_row_y(page), 228.0F, 200.0F, {Held::kWire});
+            choices(32.0F, y, 228.0F, 200.0F, {Tool::kHand, Tool::kRib, Tool::kSponge});
+            choices(32.0F, second_row_y(page), 228.0F, 200.0F, {Tool::kWire});
             add_stepper(page, {260.0F, second_row_y(page), 200.0F, 66.0F}, size, false);
             add_back(page, {width - 200.0F, second_row_y(page), 168.0F, 66.0F});
             return;
@@ -441,7 +438,7 @@ void add_throw_ledge(Page& page) {
     }
     if (throwing.jar.step == kiosk::JarStep::kAside) return add_aside_ledge(page);
     if (throwing.tray) return add_tool_tray(page);
-    if (throwing.held == kiosk::Held::kWire) return add_wire_ledge(page);
+    if (throwing.held == Tool::kWire) return add_wire_ledge(page);
     const bool is_thin = throwing.warning == kiosk::Warning::kThin && view.thinnest_mm > 0.0;
     if (is_thin && page.shape() == Shape::kWide) {
         gauge(page, page.on_ledge({34.0F, ledge_top(page) + 26.0F, 180.0F, 104.0F}));
@@ -470,7 +467,7 @@ void draw_throw(Page& page) {
     }
     // The ring comes to the hand's keys before it comes to what ends the throwing.
     const kiosk::Throwing& throwing = view.state.throwing;
-    const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != kiosk::Held::kWire &&
+    const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != Tool::kWire &&
                             throwing.jar.step != kiosk::JarStep::kAside;
     if (has_hand_pad(view) && works_clay) add_hand_pad(page);
     add_throw_ledge(page);

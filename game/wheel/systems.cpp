@@ -105,21 +105,20 @@ double mouth_radius(const pot::Pot& pot) {
 }
 
 ToolSight sight_of(const pot::Pot& pot, const HandView& hand, bool is_assistant) {
-    const bool inside = hand.side == clay::studio::Side::kIn;
-    return {
-        .centre_mm = hand.position_mm,
-        .radius_mm = hand.radius_mm,
-        .kind = hand.tool,
-        .side = hand.side,
-        // The kiln and its pots show no hand. Trimming works on dry clay, so the trimmer stays.
-        .shown = hand.shown && (pot.stage == clay::Firing::kWet || hand.tool == clay::StudioTool::kTrimmer),
-        .touching = hand.touching,
-        .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.outer_mm, hand.position_mm.y),
-        .mouth_radius_mm = mouth_radius(pot),
-        .is_assistant = is_assistant,
-        .below_rim_mm = pot.height_mm - hand.position_mm.y,
-        .guided = hand.guided,
-        .digs = hand.digs};
+    const bool inside = hand.side == tool::Side::kIn;
+    return {.centre_mm = hand.position_mm,
+            .radius_mm = hand.radius_mm,
+            .kind = hand.tool,
+            .side = hand.side,
+            // The kiln and its pots show no hand. Trimming works on dry clay, so the trimmer stays.
+            .shown = hand.shown && (pot.stage == clay::Firing::kWet || hand.tool == tool::Tool::kTrimmer),
+            .touching = hand.touching,
+            .wall_lean = lean_at(pot, inside ? pot.inner_mm : pot.outer_mm, hand.position_mm.y),
+            .mouth_radius_mm = mouth_radius(pot),
+            .is_assistant = is_assistant,
+            .below_rim_mm = pot.height_mm - hand.position_mm.y,
+            .guided = hand.guided,
+            .digs = hand.digs};
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ double wrapped(double angle_rad) {
     return std::remainder(angle_rad, kTurn);
 }
 
-bool is_inside(clay::studio::Side side) {
-    return side == clay::studio::Side::kIn;
+bool is_inside(tool::Side side) {
+    return side == tool::Side::kIn;
 }
 
 // Horizontal direction from the axis; the visitor's right near the axis.
@@ -67,8 +67,8 @@ dvec2 outwards(const dvec3& at_mm) {
 }
 
 // Direction from the clay to the hand.
-dvec3 reach_of(const dvec3& at_mm, clay::studio::Side side) {
-    if (side == clay::studio::Side::kTop) return {0.0, 1.0, 0.0};
+dvec3 reach_of(const dvec3& at_mm, tool::Side side) {
+    if (side == tool::Side::kTop) return {0.0, 1.0, 0.0};
     const dvec2 out = outwards(at_mm);
     return is_inside(side) ? dvec3(-out.x, 0.0, -out.y) : dvec3(out.x, 0.0, out.y);
 }
@@ -89,14 +89,15 @@ render::Sphere shadow_of(const Ball& ball, const mat4& place, bool left) {
 }
 
 // Distance between the clay and the finger tips that hold a tool, mm.
-double depth_of(clay::StudioTool kind) {
+double depth_of(tool::Tool kind) {
     switch (kind) {
-        case clay::StudioTool::kRib:
+        case tool::Tool::kRib:
             return 30.0;
-        case clay::StudioTool::kSponge:
+        case tool::Tool::kSponge:
             return 24.0;
-        case clay::StudioTool::kHand:
-        case clay::StudioTool::kTrimmer:
+        case tool::Tool::kHand:
+        case tool::Tool::kTrimmer:
+        case tool::Tool::kWire:
             break;
     }
     return 0.0;
@@ -111,12 +112,12 @@ mat4 placed(const dvec3& at_mm, double yaw_rad, double pitch_rad) {
 }
 
 void ToolPose::settle(const ToolSight& sight) {
-    const clay::studio::Side was = side_;
+    const tool::Side was = side_;
     const bool was_left = left_;
     const bool was_narrow = narrow_;
-    if (sight.side != clay::studio::Side::kFree) side_ = sight.side;
-    if (!is_known_ && side_ == clay::studio::Side::kFree)
-        side_ = sight.is_assistant ? clay::studio::Side::kIn : clay::studio::Side::kOut;
+    if (sight.side != tool::Side::kFree) side_ = sight.side;
+    if (!is_known_ && side_ == tool::Side::kFree)
+        side_ = sight.is_assistant ? tool::Side::kIn : tool::Side::kOut;
     const bool only_tips = sight.guided && sight.below_rim_mm < kTipsMm;
     const double room_mm = only_tips ? 2.0 * sight.mouth_radius_mm : sight.mouth_radius_mm;
     if (room_mm < kNarrowMm) narrow_ = true;
@@ -147,7 +148,7 @@ void ToolPose::follow(const ToolSight& sight, double dt_s) {
 
     const dvec2 out = outwards(sight.centre_mm);
     const dvec2 normal = is_inside(side_) ? -out : out;
-    const bool from_above = side_ == clay::studio::Side::kTop;
+    const bool from_above = side_ == tool::Side::kTop;
     const dvec3 touch = sight.centre_mm - sight.radius_mm * reach_of(sight.centre_mm, side_);
 
     // Angle from straight sideways: positive is towards the back. The model's own +X points out of the clay.
@@ -200,9 +201,9 @@ ToolPicture ToolPose::picture() const {
         return picture;
     }
     const double depth = depth_of(kind_);
-    if (kind_ == clay::StudioTool::kRib) show(ToolModel::kRib, 0.0);
-    if (kind_ == clay::StudioTool::kSponge) show(ToolModel::kSponge, 0.0);
-    if (kind_ == clay::StudioTool::kTrimmer) {
+    if (kind_ == tool::Tool::kRib) show(ToolModel::kRib, 0.0);
+    if (kind_ == tool::Tool::kSponge) show(ToolModel::kSponge, 0.0);
+    if (kind_ == tool::Tool::kTrimmer) {
         // The model's handle hangs 24 degrees below level; a potter holds it the same angle above the wheel.
         show(ToolModel::kTrimmer, 0.0);
         mat4& held = picture.tools.back().place;

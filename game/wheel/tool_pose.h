@@ -16,8 +16,8 @@ namespace onggi::wheel {
 struct ToolSight {
     dvec3 centre_mm{0.0, 260.0, 0.0};  // of the contact ball
     double radius_mm = 10.0;
-    clay::StudioTool kind = clay::StudioTool::kHand;
-    clay::studio::Side side = clay::studio::Side::kFree;
+    tool::Tool kind = tool::Tool::kHand;
+    tool::Side side = tool::Side::kFree;
     bool shown = true;
     bool touching = false;
     double wall_lean = 0.0;        // slope dR/dy of the touched face
@@ -54,10 +54,10 @@ class ToolPose {
     [[nodiscard]] bool leaps_to(const ToolSight& sight) const;
 
     bool is_known_ = false;
-    clay::StudioTool kind_ = clay::StudioTool::kHand;
-    clay::studio::Side side_ = clay::studio::Side::kFree;  // the last side other than kFree
-    bool left_ = false;                                    // a left hand
-    bool narrow_ = false;                                  // inside an opening too narrow for a hand
+    tool::Tool kind_ = tool::Tool::kHand;
+    tool::Side side_ = tool::Side::kFree;  // the last side other than kFree
+    bool left_ = false;                    // a left hand
+    bool narrow_ = false;                  // inside an opening too narrow for a hand
     dvec3 touch_mm_{0.0};
     double yaw_rad_ = 0.0;    // of the model's +X about +Y
     double pitch_rad_ = 0.0;  // lean about the model's +Z

@@ -15,8 +15,8 @@ namespace onggi::wheel {
 struct HandView {
     dvec3 position_mm{0.0, 260.0, 0.0};  // centre of the sphere
     double radius_mm = 10.0;
-    clay::StudioTool tool = clay::StudioTool::kHand;
-    clay::studio::Side side = clay::studio::Side::kFree;
+    tool::Tool tool = tool::Tool::kHand;
+    tool::Side side = tool::Side::kFree;
     bool shown = true;
     bool touching = false;
     // Follows a finger on a screen, which may jump: the hand then goes and comes back, and moves more slowly

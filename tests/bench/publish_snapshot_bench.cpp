@@ -85,7 +85,7 @@ class SteadyHand final : public haptics::HapticDevice {
     Result<void> open() override { return {}; }
     void close() noexcept override {}
     [[nodiscard]] haptics::DeviceCapabilities capabilities() const override { return {}; }
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double /*dt_s*/) noexcept override {
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double /*dt_s*/) noexcept override {
         const double inwards_mm = 1.0 + 10.0 * static_cast<double>(tick) / rate_hz_;
         return {.position_mm = {wall_mm_ + 10.0 - inwards_mm, 100.013, 0.0},
                 .radius_mm = 10.0,

@@ -118,7 +118,7 @@ wheel::WheelView GoldenScene::shown() const {
     shown.hand = {.position_mm = tool_position_mm,
                   .radius_mm = tool_radius_mm,
                   .tool = tool,
-                  .side = side.value_or(clay::studio::Side::kOut),
+                  .side = side.value_or(tool::Side::kOut),
                   .shown = tool_shown,
                   .touching = contacts > 0};
     if (drawn) {
@@ -128,7 +128,7 @@ wheel::WheelView GoldenScene::shown() const {
     if (second_hand_mm) {
         shown.second_hand = {.position_mm = *second_hand_mm,
                              .radius_mm = tool_radius_mm,
-                             .side = clay::studio::Side::kIn,
+                             .side = tool::Side::kIn,
                              .shown = true,
                              .touching = contacts > 0};
     }
@@ -176,7 +176,7 @@ namespace {
 
 using clay::ClayBody;
 using clay::Firing;
-using clay::studio::Side;
+using tool::Side;
 using wheel::StillView;
 
 // The paper's clay: solid.
@@ -290,17 +290,17 @@ std::vector<GoldenScene> move_scenes() {
         {.name = "rib",
          .pot = studio_pot(jar()),
          .tool_position_mm = {86.0, 88.0, 24.0},
-         .tool = clay::StudioTool::kRib,
+         .tool = tool::Tool::kRib,
          .contacts = 60},
         {.name = "sponge",
          .pot = studio_pot(bowl()),
          .tool_position_mm = {73.0, 40.0, 22.0},
-         .tool = clay::StudioTool::kSponge,
+         .tool = tool::Tool::kSponge,
          .contacts = 60},
         {.name = "trimming",
          .pot = studio_pot(trimmed()),
          .tool_position_mm = {47.0, 10.0, 18.0},
-         .tool = clay::StudioTool::kTrimmer,
+         .tool = tool::Tool::kTrimmer,
          .contacts = 60},
     };
 }

@@ -31,9 +31,9 @@ struct GoldenScene {
     double tool_radius_mm = 10.0;
     bool tool_shown = true;
     std::optional<dvec3> second_hand_mm = std::nullopt;
-    clay::StudioTool tool = clay::StudioTool::kHand;
-    std::optional<clay::studio::Side> side = std::nullopt;  // side of the hand; default: outside
-    std::optional<double> wire_height_mm = std::nullopt;    // drawn through the clay there
+    tool::Tool tool = tool::Tool::kHand;
+    std::optional<tool::Side> side = std::nullopt;        // side of the hand; default: outside
+    std::optional<double> wire_height_mm = std::nullopt;  // drawn through the clay there
     dvec2 wheel_direction{1.0, 0.0};
     int contacts = 0;
     wheel::StillView view = wheel::StillView::kThrowing;

@@ -86,7 +86,7 @@ MUTATIONS = [
     (9, "the motor's part through the ramp", (CHAIN,
                                               "safety::fraction_of(force_n, state.ramp, state)",
                                               "force_n * state.ramp"), "unit_haptics"),
-    (9, "the share that a change of hands leaves", ("engine/haptics/hands.cpp",
+    (9, "the share that a change of hands leaves", ("engine/haptics/device_group.cpp",
                                                     "    signs.force_fraction *= motors_[holder_].given_fraction;\n", ""),
      "unit_haptics"),
     (9, "the share that the gate leaves", (f"{HID}/hid_session.cpp", "published.force_fraction = gate_.fraction();",

@@ -157,7 +157,7 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     ASSERT_TRUE(kiosk.until([&] { return step() == JarStep::kSeam; }, kSlowly));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().pot->height_mm > 140.0; }, kSlowly));
     kiosk.look("6-seam");
-    EXPECT_EQ(kiosk.state().throwing.held, kiosk::Held::kRib);
+    EXPECT_EQ(kiosk.state().throwing.held, tool::Tool::kRib);
     const double middle_mm = 0.5 * kiosk.snapshot().pot->height_mm;
     kiosk.stroke({{95.0, middle_mm - 8.0}, {84.0, middle_mm}, {84.0, middle_mm + 8.0}}, 2.0, chance);
     kiosk.look("7-smoothed");

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 
 namespace onggi::visitors {
 namespace {

@@ -53,15 +53,13 @@ clay::StudioClay throw_bowl(std::uint64_t seed, const std::vector<dvec2>& shown,
 // Turns the jar for ten seconds without a touch.
 void stand(clay::StudioClay& jar) {
     constexpr int kTicks = 10'000;
-    constexpr double kWheelRadS = 8.0;
     clay::StudioParameters parameters;
     parameters.rate_hz = 1000.0;
     parameters.forgiving = true;
-    clay::StudioInput input;
-    input.hand.position_mm = {0.0, 400.0, 0.0};
-    input.wheel_speed_rad_s = kWheelRadS;
+    const tool::ToolState away{
+        .position_mm = {0.0, 400.0, 0.0}, .wheel_button = true, .wheel_speed_rev_min = 76.4};
     for (int tick = 0; tick < kTicks; ++tick)
-        jar.tick(input, parameters);
+        jar.tick(away, parameters);
 }
 
 Jar make_jar(const heritage::Target& target, std::uint64_t seed) {

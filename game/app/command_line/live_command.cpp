@@ -18,7 +18,7 @@
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
 #include "game/app/command_line/stats.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/devices/haptic_guard.h"
 #include "game/app/kiosk/presentation/force_view.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
@@ -144,8 +144,7 @@ Result<void> play(const LiveOptions& options) {
     if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
     leave_haptic_core_wholly(core);
 
-    auto devices =
-        HandDevices::make(options.device, std::make_unique<RecordedHand>(std::move(performance->hand)), true);
+    auto devices = AttachedDevices::make(options.device, std::move(performance->player), true);
     if (!devices) return devices.error();
     const double rate_hz = performance->start.parameters.rate_hz();
     const double seconds = options.seconds.value_or(static_cast<double>(performance->tick_count) / rate_hz);
@@ -157,7 +156,7 @@ Result<void> play(const LiveOptions& options) {
     if (auto started = forces.start(); !started) return started;
     const auto report =
         run_live({.start = std::move(performance->start),
-                  .hand = devices->take(),
+                  .devices = devices->take(),
                   .tick_count = performance->tick_count,
                   .seconds = options.seconds,
                   .wait = options.wait == "sleep" ? jobs::WaitMode::kSleep : jobs::WaitMode::kHybrid,

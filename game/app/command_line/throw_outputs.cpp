@@ -83,15 +83,15 @@ void append(std::string& table, double number) {
     fmt::format_to(std::back_inserter(table), ",{:.9g}", number + 0.0);
 }
 
-std::string_view name_of(clay::studio::Side side) {
+std::string_view name_of(tool::Side side) {
     switch (side) {
-        case clay::studio::Side::kFree:
+        case tool::Side::kFree:
             return "free";
-        case clay::studio::Side::kOut:
+        case tool::Side::kOut:
             return "outer";
-        case clay::studio::Side::kIn:
+        case tool::Side::kIn:
             return "inner";
-        case clay::studio::Side::kTop:
+        case tool::Side::kTop:
             return "rim";
     }
     return "free";

@@ -95,7 +95,7 @@ struct FramePlot {
 
 // A tool on the bench, as large as what can be touched of it.
 struct BenchTool {
-    kiosk::Held held = kiosk::Held::kHand;
+    tool::Tool held = tool::Tool::kHand;
     vec2 centre_px{0.0F};
     vec2 size_px{0.0F};
 

@@ -112,9 +112,8 @@ TEST(Forces, AreNotShownWhereNothingIsTouchedNorLingerThere) {
 // The job's own snapshots, tick by tick: look(snapshot, touching) looks at each, and counts those of clay
 // that is touched.
 template <typename Look>
-void expect_of_snapshots(haptic::HapticState start, std::unique_ptr<haptics::HapticDevice> device, int ticks,
-                         Look&& look) {
-    haptic::HapticWork work(std::move(start), {}, std::move(device), {});
+void expect_of_snapshots(haptic::HapticState start, haptic::ToolDevices devices, int ticks, Look&& look) {
+    haptic::HapticWork work(std::move(start), {}, std::move(devices), {});
     jobs::Period period{.dt_s = 0.001};
     int touching = 0;
     for (int k = 0; k < ticks && !testing::Test::HasFatalFailure(); ++k) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 #include "game/app/kiosk/presentation/snapshot_view.h"
 #include "tests/support/millimetre_pot.h"
 
@@ -12,7 +12,7 @@ namespace onggi::app {
 namespace {
 
 using clay::studio::Grip;
-using clay::studio::Side;
+using tool::Side;
 
 // A cylinder of millimetre rings, hollow above floor_mm.
 pot::Pot pot(double height_mm, double outer_mm, double wall_mm, double floor_mm) {

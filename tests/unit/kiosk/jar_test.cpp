@@ -66,7 +66,7 @@ TEST_F(Jar, GoesThroughItsFiveSteps) {
     visitor.does(Kind::kJoined);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_EQ(step_of(visitor), JarStep::kSeam);
-    EXPECT_EQ(visitor.state.throwing.held, Held::kRib);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kRib);
     EXPECT_EQ(spoken_key(visitor.state), "moon.s5");
     visitor.presses(Button::kDone);
     EXPECT_EQ(visitor.state.screen, Screen::kFiring);
@@ -113,7 +113,7 @@ TEST_F(Jar, IsTakenBackStepByStep) {
     visitor.does(Kind::kUndoneAll);
     EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kTakeBack, 2}}));
     EXPECT_EQ(step_of(visitor), JarStep::kSecondBowl);
-    EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kHand);
     visitor.does(Kind::kUndoneAll);
     EXPECT_EQ(visitor.last, (std::vector<Effect>{{Ask::kTakeBack, 1}}));
     EXPECT_EQ(step_of(visitor), JarStep::kFirstBowl);

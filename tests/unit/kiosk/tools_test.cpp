@@ -9,8 +9,8 @@ namespace {
 
 using Kind = Event::Kind;
 
-int number(Held held) {
-    return static_cast<int>(held);
+int number(tool::Tool held) {
+    return static_cast<int>(tray_place(held));
 }
 
 TEST(Tools, LieInATrayThatChoosingCloses) {
@@ -21,31 +21,32 @@ TEST(Tools, LieInATrayThatChoosingCloses) {
     visitor.presses(Button::kToolMore);
     EXPECT_TRUE(visitor.state.throwing.tray) << "how large is asked there";
     EXPECT_EQ(visitor.state.throwing.tool, 3);
-    visitor.presses(Button::kTakeTool, number(Held::kRib));
+    visitor.presses(Button::kTakeTool, number(tool::Tool::kRib));
     EXPECT_FALSE(visitor.state.throwing.tray);
-    EXPECT_EQ(visitor.state.throwing.held, Held::kRib);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kRib);
     EXPECT_EQ(spoken_key(visitor.state), "tool.rib.line");
     visitor.presses(Button::kTools).presses(Button::kTools);
     EXPECT_FALSE(visitor.state.throwing.tray) << "back";
-    EXPECT_EQ(visitor.state.throwing.held, Held::kRib);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kRib);
 }
 
 TEST(Tools, AreTakenByTheirKeysWithoutATray) {
     Visitor visitor;
     visitor.starts_to_throw();
-    for (const Held held : {Held::kSponge, Held::kWire, Held::kRib, Held::kHand}) {
+    for (const tool::Tool held :
+         {tool::Tool::kSponge, tool::Tool::kWire, tool::Tool::kRib, tool::Tool::kHand}) {
         visitor.presses(Button::kTakeTool, number(held));
         EXPECT_EQ(visitor.state.throwing.held, held);
     }
-    visitor.presses(Button::kTakeTool, kHeldCount).presses(Button::kTakeTool, -1);
-    EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
+    visitor.presses(Button::kTakeTool, static_cast<int>(kTrayTools.size())).presses(Button::kTakeTool, -1);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kHand);
 }
 
 TEST(Tools, TheTrayClosesUnderAHandThatTouchesTheClay) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kTools).does(Kind::kClayTouched);
     EXPECT_FALSE(visitor.state.throwing.tray);
-    EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kHand);
 }
 
 TEST(Tools, TheTrayStaysOpenUnderATouchThatHadBegunBefore) {
@@ -60,11 +61,11 @@ TEST(Tools, TheWireCutsOnceAndIsLaidBack) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kCut);
     EXPECT_FALSE(visitor.caused(Effect::Kind::kCutRim)) << "it is not held";
-    visitor.presses(Button::kTakeTool, number(Held::kWire));
+    visitor.presses(Button::kTakeTool, number(tool::Tool::kWire));
     EXPECT_EQ(spoken_key(visitor.state), "wire.how");
     visitor.presses(Button::kCut);
     EXPECT_EQ(visitor.last, (std::vector<Effect>{{Effect::Kind::kCutRim, 0}}));
-    EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kHand);
     visitor.presses(Button::kCut);
     EXPECT_EQ(visitor.count(Effect::Kind::kCutRim), 1);
     visitor.presses(Button::kUndo);
@@ -75,7 +76,7 @@ TEST(Tools, TheSpongeDriesTheHandsByADotATurn) {
     Visitor visitor;
     visitor.starts_to_throw();
     const int water = visitor.state.throwing.water;
-    visitor.presses(Button::kTakeTool, number(Held::kSponge)).does(Kind::kSoaked);
+    visitor.presses(Button::kTakeTool, number(tool::Tool::kSponge)).does(Kind::kSoaked);
     EXPECT_EQ(visitor.state.throwing.water, water - 1);
     for (int turn = 0; turn < 9; ++turn)
         visitor.does(Kind::kSoaked);
@@ -87,21 +88,25 @@ TEST(Tools, TheSpongeDriesTheHandsByADotATurn) {
 TEST(Tools, AreLaidDownForNewClayAndForThePotThatIsDone) {
     for (const Button button : {Button::kNewClay, Button::kDone}) {
         Visitor visitor;
-        visitor.starts_to_throw().presses(Button::kTakeTool, number(Held::kSponge)).presses(Button::kTools);
+        visitor.starts_to_throw()
+            .presses(Button::kTakeTool, number(tool::Tool::kSponge))
+            .presses(Button::kTools);
         visitor.presses(button);
-        EXPECT_EQ(visitor.state.throwing.held, Held::kHand) << static_cast<int>(button);
+        EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kHand) << static_cast<int>(button);
         EXPECT_FALSE(visitor.state.throwing.tray);
     }
 }
 
 TEST(Tools, TheWheelShowsWhatIsHeldOrWithTheWireTheLesson) {
     Visitor visitor;
-    visitor.starts_to_throw().presses(Button::kTakeTool, number(Held::kRib)).presses(Button::kShowMe);
+    visitor.starts_to_throw().presses(Button::kTakeTool, number(tool::Tool::kRib)).presses(Button::kShowMe);
     EXPECT_EQ(visitor.state.throwing.shown, kTeachingSteps);
-    EXPECT_EQ(visitor.state.throwing.held, Held::kRib);
-    visitor.presses(Button::kMyTurn).presses(Button::kTakeTool, number(Held::kWire)).presses(Button::kShowMe);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kRib);
+    visitor.presses(Button::kMyTurn)
+        .presses(Button::kTakeTool, number(tool::Tool::kWire))
+        .presses(Button::kShowMe);
     EXPECT_EQ(visitor.state.throwing.shown, 0);
-    EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
+    EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kHand);
 }
 
 TEST(Tools, TheLessonIsHiddenWithAToolInTheHandOrAnOpenTray) {

@@ -108,7 +108,7 @@ TEST_F(AShaving, IsSeenBesideTheTrimmerAtAPotThatHasDried) {
     pot::Pot pot{.outer_mm = {60.0F, 60.0F, 60.0F}, .top_mm = {30.0F, 60.0F, 90.0F}, .height_mm = 90.0};
     pot.stage = clay::Firing::kDry;
     WheelView shown{.pot = &pot,
-                    .hand = {.position_mm = {70.0, 80.0, 0.0}, .tool = clay::StudioTool::kTrimmer},
+                    .hand = {.position_mm = {70.0, 80.0, 0.0}, .tool = tool::Tool::kTrimmer},
                     .shaved_at_mm = {60.0, 80.0, 0.0}};
     WheelScene scene;
     const auto library = load_tool_models(test::in_checkout("assets/tools"));

@@ -7,8 +7,8 @@
 namespace onggi::wheel {
 namespace {
 
-using clay::StudioTool;
-using clay::studio::Side;
+using tool::Side;
+using tool::Tool;
 
 constexpr double kFrameS = 1.0 / 60.0;
 
@@ -112,7 +112,7 @@ TEST(ToolPose, LeansWithTheWall) {
 
 TEST(ToolPose, KeepsWhatTrimsAFootAboveTheWheel) {
     ToolSight sight = outside();
-    sight.kind = StudioTool::kTrimmer;
+    sight.kind = tool::Tool::kTrimmer;
     sight.wall_lean = 1.5;  // of a bowl, right above its foot
     for (const double y_mm : {8.0, 12.0, 20.0, 40.0}) {
         sight.centre_mm.y = y_mm;
@@ -124,15 +124,15 @@ TEST(ToolPose, KeepsWhatTrimsAFootAboveTheWheel) {
 
 TEST(ToolPose, HoldsWhatItWorksWith) {
     ToolSight sight = outside();
-    sight.kind = StudioTool::kRib;
+    sight.kind = tool::Tool::kRib;
     const ToolPicture rib = settled(sight).picture();
     ASSERT_EQ(rib.tools.size(), 2U);
     EXPECT_EQ(rib.tools[0].model, ToolModel::kRib);
     EXPECT_EQ(rib.tools[1].model, ToolModel::kHandOuter);
     EXPECT_GT(touch_of(rib.tools[1]).x, touch_of(rib.tools[0]).x + 10.0F);
-    sight.kind = StudioTool::kSponge;
+    sight.kind = tool::Tool::kSponge;
     EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kSponge);
-    sight.kind = StudioTool::kTrimmer;
+    sight.kind = tool::Tool::kTrimmer;
     EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kTrimmer);
 }
 

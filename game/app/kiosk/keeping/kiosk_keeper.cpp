@@ -12,7 +12,6 @@
 #include "engine/files/atomic_folder.h"
 #include "engine/files/read_file.h"
 #include "engine/jobs/thread_setup.h"
-#include "engine/record/session_format.h"
 #include "game/app/kiosk/health/house_status.h"
 #include "game/app/kiosk/health/kiosk_health.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
@@ -20,6 +19,7 @@
 #include "game/app/system/wall_clock.h"
 #include "game/decoration/stroke.h"
 #include "game/haptic/pot_copy.h"
+#include "game/record/session_format.h"
 
 namespace onggi::app {
 namespace {

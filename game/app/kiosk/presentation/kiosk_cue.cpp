@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 
 namespace onggi::app {
 namespace {

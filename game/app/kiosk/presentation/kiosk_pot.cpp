@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/ui/painter.h"
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/app/kiosk/presentation/exhibits.h"
 #include "game/clay/studio/load.h"
 #include "game/clay/studio/pot.h"

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 
 namespace onggi::app {
 namespace {
 
 using clay::studio::Grip;
-using clay::studio::Side;
+using tool::Side;
 
 constexpr double kHoversMm = 14.0;      // off the clay
 constexpr double kAboveWheelMm = 14.0;  // a palm's edge
@@ -166,7 +166,7 @@ void show_guided_hands(wheel::WheelView& shown, const haptic::Snapshot& snapshot
     shown.second_hand.shown = false;
     shown.second_hand.guided = true;
     // A tool lies on the wall wherever the finger comes from.
-    const bool holds_tool = shown.hand.tool != clay::StudioTool::kHand;
+    const bool holds_tool = shown.hand.tool != tool::Tool::kHand;
     const Grip grip = works        ? report.grip
                       : holds_tool ? Grip::kWall
                                    : clay::studio::grip_of_touch(grip_outline(shape, finger_mm.y), finger_mm);
@@ -187,29 +187,29 @@ void show_guided_hands(wheel::WheelView& shown, const haptic::Snapshot& snapshot
 
 wheel::WheelView wheel_view(const haptic::Snapshot& snapshot) {
     const haptic::TickResult& result = snapshot.result;
-    const clay::StudioInput told = haptic::studio_input(snapshot.tool);
+    const tool::ToolState& told = snapshot.tool;
     wheel::WheelView shown{.pot = snapshot.pot,
                            .peak_load = snapshot.load.index,
                            .peak_load_height_mm = snapshot.load.height_mm,
                            .peak_load_cause = snapshot.load.cause,
-                           .wire_shown = told.wire != clay::Wire::kNone,
+                           .wire_shown = told.wire != tool::Wire::kNone,
                            .wire_height_mm = told.wire_height_mm,
                            .wheel_direction = snapshot.wheel_direction,
                            .wheel_turning = snapshot.wheel_turning,
                            .wheel_speed_rad_s = snapshot.wheel_speed_rad_s,
                            .contacts = result.forces.contacts};
-    shown.hand = {.position_mm = snapshot.tool.position_mm,
-                  .radius_mm = snapshot.tool.radius_mm,
-                  .tool = told.hand.tool,
+    shown.hand = {.position_mm = told.position_mm,
+                  .radius_mm = told.radius_mm,
+                  .tool = told.tool,
                   .side = result.side,
                   .touching = result.forces.contacts > 0};
-    const bool assists = result.has_second && !told.has_second;  // with the first hand's size
+    const bool assists = result.has_second && !told.second.present;  // with the first hand's size
     shown.second_hand = {
         .position_mm = result.has_second ? result.second_position_mm : told.second.position_mm,
-        .radius_mm = assists ? told.hand.radius_mm : told.second.radius_mm,
-        .tool = assists ? clay::StudioTool::kHand : told.second.tool,
+        .radius_mm = assists ? told.radius_mm : told.second.radius_mm,
+        .tool = assists ? tool::Tool::kHand : told.second.tool,
         .side = result.second_side,
-        .shown = result.has_second || told.has_second,
+        .shown = result.has_second || told.second.present,
         .touching = result.second_forces.contacts > 0};
     if (snapshot.tool.guided) show_guided_hands(shown, snapshot);
     return shown;

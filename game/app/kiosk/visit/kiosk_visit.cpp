@@ -39,7 +39,7 @@ KioskVisit::KioskVisit(const VisitParts& parts)
       drawing_(parts_.view, *this),
       jar_(parts_, *this),
       trim_(*this),
-      input_(parts_, wheel_.hand(), drawing_, jar_, trim_, *this),
+      input_(parts_, wheel_.finger(), drawing_, jar_, trim_, *this),
       effects_(parts_, wheel_, input_, drawing_, jar_, trim_, desk_, *this),
       scene_(parts_, wheel_, input_, drawing_, trim_),
       screens_(parts_, effects_, jar_, input_.pointer(), desk_) {}
@@ -89,7 +89,7 @@ Result<void> KioskVisit::frame(double now_s) {
     drawing_.pass(moment.dt_s);
     parts_.sound.hear(moment.snapshot, is_closed(), kiln_burns(state_));
     scene_.aim_camera(state_, jar_.height_mm(moment.snapshot), screens_.asked(), stage_.covers());
-    screens_.update(state_, moment, scene_.edges(), wheel_.hand().wire_mm());
+    screens_.update(state_, moment, scene_.edges(), wheel_.finger().wire_mm());
     const Result<void> drawn = draw(moment);
     moment_ = nullptr;
     return drawn;
@@ -109,7 +109,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     composer.hold(input_.pointer().rests_on_scene());
     stage_.turn(composer.turned());
     wheel::WheelView shown = wheel_view(moment.snapshot);
-    if (const auto wire_mm = wheel_.hand().wire_mm()) {
+    if (const auto wire_mm = wheel_.finger().wire_mm()) {
         shown.wire_shown = true;
         shown.wire_height_mm = *wire_mm;
         shown.hand.shown = shown.second_hand.shown = false;  // they hold its ends

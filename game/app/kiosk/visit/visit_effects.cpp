@@ -114,14 +114,14 @@ void VisitEffects::apply_to_clay(const Effect& effect, const VisitMoment& moment
             break;
         }
         case Effect::Kind::kCutRim:
-            wheel_.hand().cut_rim();
+            wheel_.finger().cut_rim();
             break;
         case Effect::Kind::kShowStep:
-            wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.pot,
-                               side_of(flow_.state()));
+            wheel_.finger().show(static_cast<ShownStep>(effect.value), *moment.snapshot.pot,
+                                 side_of(flow_.state()));
             break;
         case Effect::Kind::kStopShow:
-            wheel_.hand().stop_showing();
+            wheel_.finger().stop_showing();
             break;
         default:
             break;
@@ -157,11 +157,11 @@ void VisitEffects::apply_to_jar(const Effect& effect, const VisitMoment& moment)
             parts_.keeper.begin_jar(jar_.target_id());
             break;
         case Effect::Kind::kSetAside:
-            wheel_.hand().release();
+            wheel_.finger().release();
             parts_.keeper.set_aside();
             break;
         case Effect::Kind::kHoldTogether:
-            wheel_.hand().release();
+            wheel_.finger().release();
             parts_.keeper.hold_together(jar_.join(moment.snapshot.wheel_direction).mouth_mm);
             break;
         case Effect::Kind::kJoinBowls:
@@ -169,7 +169,7 @@ void VisitEffects::apply_to_jar(const Effect& effect, const VisitMoment& moment)
             parts_.keeper.join_bowls(jar_.join(moment.snapshot.wheel_direction));
             break;
         case Effect::Kind::kTakeBack:
-            wheel_.hand().release();
+            wheel_.finger().release();
             wheel_.clay().expect_state(moment.snapshot);
             parts_.keeper.take_back(effect.value);
             break;
@@ -182,16 +182,16 @@ void VisitEffects::apply_to_done_pot(const Effect& effect, const VisitMoment& mo
     switch (effect.kind) {
         case Effect::Kind::kCutOff:
             may_be_trimmed_ = true;
-            wheel_.hand().release();
+            wheel_.finger().release();
             parts_.keeper.cut_off();
             break;
         case Effect::Kind::kBeginTrim:
-            wheel_.hand().leave_clay();
+            wheel_.finger().leave_clay();
             trim_.begin(moment.snapshot);
             parts_.keeper.begin_trim();
             break;
         case Effect::Kind::kEndTrim:
-            wheel_.hand().leave_clay();
+            wheel_.finger().leave_clay();
             if (effect.value == 1) {
                 drawing_.forget_pot();
                 parts_.keeper.cut_off();

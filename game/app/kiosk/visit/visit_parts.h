@@ -4,8 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/haptics/simulated_device.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "game/app/kiosk/keeping/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_settings.h"
@@ -14,6 +13,7 @@
 #include "game/app/kiosk/staff/kiosk_staff.h"
 #include "game/app/system/start_log.h"
 #include "game/haptic/job.h"
+#include "game/haptic/simulated_device.h"
 #include "game/kiosk/step.h"
 #include "game/wheel/live_view.h"
 
@@ -26,8 +26,8 @@ constexpr double kLoudestStep = kiosk::kMostVolume;
 struct VisitParts {
     wheel::LiveView& view;
     haptic::HapticJob& job;
-    haptics::SimulatedDevice& hand;
-    HandDevices& devices;
+    haptic::SimulatedDevice& pointer;  // mouse and touch
+    AttachedDevices& devices;
     KioskKeeper& keeper;
     KioskPhone* phone = nullptr;  // null: nothing is taken home by phone
     KioskSound& sound;

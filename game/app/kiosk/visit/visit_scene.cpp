@@ -107,7 +107,7 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
     }
     if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
     const pot::Pot& shape = *moment.snapshot.pot;
-    if (const auto wire_mm = wheel_.hand().wire_mm()) {
+    if (const auto wire_mm = wheel_.finger().wire_mm()) {
         // Where it would cut: a line, and not a belt.
         constexpr double kHalfMm = 0.5;
         auto line = band_round(shape, *wire_mm - kHalfMm, *wire_mm + kHalfMm);
@@ -119,9 +119,9 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
         hovers_mm = place_at(parts_.view, at_px);
     }
     std::optional<dvec2> marker_mm;
-    if (input_.keys_lead()) marker_mm = wheel_.hand().marker_mm();
+    if (input_.keys_lead()) marker_mm = wheel_.finger().marker_mm();
     std::optional<int> wanted;
-    const bool holds_tool = state.throwing.held != kiosk::Held::kHand;
+    const bool holds_tool = state.throwing.held != tool::Tool::kHand;
     if (kiosk::shows_hint(state, moment.now_s, parts_.settings.rules) && !holds_tool)
         wanted = state.throwing.steps_done;
     const auto place = cue_.look({.now_s = moment.now_s,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/finger/kiosk_pointer.h"
 #include "game/app/kiosk/presentation/kiosk_camera.h"
 #include "game/app/kiosk/staff/staff_desk.h"
 #include "game/app/kiosk/visit/visit_effects.h"

@@ -53,8 +53,8 @@ void VisitTrim::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) 
     const double side = std::signbit(at_mm.x) ? -1.0 : 1.0;
     const double gone_mm = snapshot.tool.radius_mm + (works ? 0.0 : kTrimmerHoversMm);
     shown.hand.position_mm = {at_mm.x + side * gone_mm, std::max(at_mm.y, kTrimmerHoversMm), 0.0};
-    shown.hand.tool = clay::StudioTool::kTrimmer;
-    shown.hand.side = clay::studio::Side::kOut;
+    shown.hand.tool = tool::Tool::kTrimmer;
+    shown.hand.side = tool::Side::kOut;
     shown.hand.shown = shown.hand.guided = true;
     shown.hand.digs = false;
     shown.hand.touching = works;

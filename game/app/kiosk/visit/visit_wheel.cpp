@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 
 namespace onggi::app {
 namespace {
@@ -95,7 +95,7 @@ void VisitWheel::put_fresh_clay() {
     // A full ring means that the haptic thread stands still; then the window says nothing new either.
     if (parts_.job.send(haptic::Command::kFreshLump)) ++run_;
     clay_.expect_lump(run_);
-    hand_.leave_clay();
+    finger_.leave_clay();
     ++lumps_asked_;
     shown_.reset();
 }
@@ -124,7 +124,7 @@ bool VisitWheel::play_show(const VisitMoment& moment) {
                             : std::nullopt;
     if (!shown_ || played.value_or(since_s) > length_s + kRestS) begin_show(moment.now_s);
     if (show.gesture)
-        parts_.hand.set_target(show.gesture->at(std::min(moment.now_s - demo_since_s_, length_s)));
+        parts_.pointer.set_target(show.gesture->at(std::min(moment.now_s - demo_since_s_, length_s)));
     return true;
 }
 
@@ -134,7 +134,7 @@ void VisitWheel::rearm_force() {
 
 void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     const bool touches = snapshot.result.forces.contacts > 0;
-    // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
+    // Who has a device in the hand need not find the screen: touching the clay is choosing.
     if (flow_.state().screen == Screen::kChoose && flow_.state().panel == Panel::kNone && touches &&
         !parts_.devices.holder().empty()) {
         flow_.dispatch({Event::Kind::kClayTouched});
@@ -142,18 +142,18 @@ void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     }
     if (flow_.state().screen != Screen::kThrow) return;
     // What the wheel's own hands do is not the visitor's touch.
-    const bool holds = parts_.devices.holder().empty() ? hand_.works() && !hand_.shows() : touches;
+    const bool holds = parts_.devices.holder().empty() ? finger_.works() && !finger_.shows() : touches;
     const bool held = flow_.state().pace.held;
     if (touches && holds) flow_.dispatch({Event::Kind::kClayTouched, Button::kNone, held ? 1 : 0});
     if (holds != held) flow_.dispatch({Event::Kind::kHeld, Button::kNone, holds ? 1 : 0});
-    if (flow_.state().throwing.shown && !hand_.shows()) flow_.dispatch({Event::Kind::kShowOver});
+    if (flow_.state().throwing.shown && !finger_.shows()) flow_.dispatch({Event::Kind::kShowOver});
     const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);
     clay_is_there_ = news.has_value();
     if (!news) return;
     flow_.dispatch({Event::Kind::kProgress, Button::kNone, news->steps_done});
     flow_.dispatch({Event::Kind::kWarned, Button::kNone, static_cast<int>(news->warning)});
     if (!news->gave_way) return;
-    hand_.release();
+    finger_.release();
     flow_.dispatch({Event::Kind::kCollapsed, Button::kNone, static_cast<int>(*news->gave_way)});
 }
 
@@ -180,34 +180,33 @@ void VisitWheel::take_fault(const VisitMoment& moment) {
 }
 
 void VisitWheel::move_hand(const VisitMoment& moment) {
-    // Under the staff's panel nothing moves by itself, so that a hand can be tested.
+    // Under the staff's panel nothing moves by itself, so that a device can be tested.
     if (flow_.state().panel == Panel::kPin || flow_.state().panel == Panel::kStaff) {
-        parts_.hand.set_target(resting_hand());
+        parts_.pointer.set_target(resting_finger());
         if (demo_runs_ && shown_) put_fresh_clay();
         return;
     }
     if (demo_runs_ && play_show(moment)) return;
     const kiosk::Throwing& throwing = flow_.state().throwing;
     const bool trims = flow_.state().screen == Screen::kTrim;
-    haptics::ToolState tool = hand_.request({.held = throwing.held,
-                                             .tool = trims ? flow_.state().trimming.loop : throwing.tool,
-                                             .water = throwing.water,
-                                             .speed = throwing.speed,
-                                             .trims = trims},
-                                            *moment.snapshot.pot, moment.dt_s);
+    tool::ToolState tool = finger_.request({.tool = trims ? tool::Tool::kTrimmer : throwing.held,
+                                            .size = trims ? flow_.state().trimming.loop : throwing.tool,
+                                            .water = throwing.water,
+                                            .speed = throwing.speed},
+                                           *moment.snapshot.pot, moment.dt_s);
     const bool throws = trims || flow_.state().screen == Screen::kThrow ||
                         flow_.state().screen == Screen::kFailure || flow_.state().screen == Screen::kChoose ||
                         flow_.state().screen == Screen::kAttract;
     tool.wheel_button = throws && flow_.state().panel != Panel::kIdle;
-    parts_.hand.set_target(tool);
+    parts_.pointer.set_target(tool);
     soak(moment);
 }
 
 // Each time that the wall has gone round under a sponge, the hands are less wet.
 void VisitWheel::soak(const VisitMoment& moment) {
     const haptic::Snapshot& snapshot = moment.snapshot;
-    const bool soaks = snapshot.tool.tool == haptic::kSponge && snapshot.tool.guided &&
-                       snapshot.result.grip.grip != clay::studio::Grip::kNone && !hand_.shows();
+    const bool soaks = snapshot.tool.tool == tool::Tool::kSponge && snapshot.tool.guided &&
+                       snapshot.result.grip.grip != clay::studio::Grip::kNone && !finger_.shows();
     soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
     if (soaked_rad_ < kTurn) return;
     soaked_rad_ = 0.0;
