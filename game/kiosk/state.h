@@ -46,6 +46,8 @@ struct Comfort {
 };
 
 constexpr int kTeachingSteps = 3;  // press, open, raise
+// What the wheel's own hands demonstrate: a teaching step, or the tool that is held.
+enum class ShownStep { kPress, kOpen, kRaise, kDrawTool };
 constexpr int kMostTool = 3;
 constexpr int kMostWater = 5;
 constexpr int kMostSpeed = 5;
@@ -71,6 +73,12 @@ enum class JarStep {
 constexpr int kJarSteps = 5;
 constexpr int kMostShiftMm = 8;
 
+// The jar of an interrupted visit.
+struct InterruptedJar {
+    JarStep step = JarStep::kNone;
+    int target = 0;  // index of the heritage pot
+};
+
 struct JarMaking {
     JarStep step = JarStep::kNone;
     bool touched = false;     // the clay was touched in this step
@@ -85,12 +93,10 @@ struct JarMaking {
 };
 
 struct Throwing {
-    std::optional<int> target{};  // index of the heritage pot; empty: free throwing
-    int steps_done = 0;           // 0 to kTeachingSteps; at the end: "now make it yours"
-    bool looks_in = false;        // the camera looks from above into the pot
-    // The step that the wheel's own hands demonstrate on the visitor's clay, counted from 0. kTeachingSteps
-    // stands for the tool that is held.
-    std::optional<int> shown{};
+    std::optional<int> target{};       // index of the heritage pot; empty: free throwing
+    int steps_done = 0;                // 0 to kTeachingSteps; at the end: "now make it yours"
+    bool looks_in = false;             // the camera looks from above into the pot
+    std::optional<ShownStep> shown{};  // what is demonstrated on the visitor's clay
     Held held = Held::kHand;
     bool tray = false;  // the ledge shows the tray of tools
     int tool = 2;
@@ -136,12 +142,12 @@ struct Decorating {
 
 // When the visitor or the wheel's own hands last worked the clay; hints and demonstrations depend on it.
 struct Pace {
-    double progress_s = 0.0;                // time of the pot's last progress, or the start of the visit
-    double touched_s = -1.0;                // time of the last touch; -1 before the first touch
-    bool held = false;                      // the visitor's hand works the clay now
-    double shown_s = 0.0;                   // start of the current demonstration
-    double show_over_s = 0.0;               // end of the last demonstration
-    std::optional<int> seen_since_touch{};  // last demonstrated step; reset by a touch
+    double progress_s = 0.0;   // time of the pot's last progress, or the start of the visit
+    double touched_s = -1.0;   // time of the last touch; -1 before the first touch
+    bool held = false;         // the visitor's hand works the clay now
+    double shown_s = 0.0;      // start of the current demonstration
+    double show_over_s = 0.0;  // end of the last demonstration
+    std::optional<ShownStep> seen_since_touch{};  // last demonstrated step; reset by a touch
 };
 
 // The state of sharing a kept pot with a phone.
@@ -153,6 +159,9 @@ enum class Phone {
     kResting,  // sharing failed: disk full, no network
     kOver,     // the code expired, or the staff withdrew it
 };
+
+// What came of an attempt to share a pot.
+enum class ShareOutcome { kReady, kFailed, kOver };
 
 struct Keeping {
     enum class Outcome { kSaving, kKept, kFull } outcome = Outcome::kSaving;
@@ -218,9 +227,9 @@ struct State : ScreenState {
     double staff_used_s = 0.0;  // last use of the staff panel, for its timeout
     Pace pace;
     PinGuard pin_guard;
-    int house_volume = 3;              // as house_language, for the volume
-    bool interrupted_session = false;  // an interrupted pot can be resumed
-    int interrupted_jar = 0;           // packed by interrupted_jar(); 0: an ordinary pot
+    int house_volume = 3;                             // as house_language, for the volume
+    bool interrupted_session = false;                 // an interrupted pot can be resumed
+    std::optional<InterruptedJar> interrupted_jar{};  // empty: an ordinary pot
 };
 
 // A one-word name for titles and logs: "attract".

@@ -72,7 +72,7 @@ void Turn::begin_visit(Screen screen) {
     if (screen == Screen::kThrow || screen == Screen::kChoose || screen == Screen::kResume) {
         if (state.screen == Screen::kAttract) {
             state.visit_s = now_s;
-            add(Effect::Kind::kVisitBegan);
+            add(effect::VisitBegan{});
         }
     }
     show(screen);
@@ -81,13 +81,13 @@ void Turn::begin_visit(Screen screen) {
 void Turn::put_on_clay(std::optional<int> target) {
     state.throwing = Throwing{.target = target};
     state.pace = {.progress_s = now_s};
-    add(Effect::Kind::kForgetPot);
-    add(Effect::Kind::kFreshClay, target ? *target : -1);
+    add(effect::ForgetPot{});
+    add(effect::FreshClay{target});
 }
 
 void Turn::end_visit() {
     if (state.screen != Screen::kAttract && state.screen != Screen::kFault) {
-        add(Effect::Kind::kVisitEnded, static_cast<int>(now_s - state.visit_s));
+        add(effect::VisitEnded{.dwell_s = static_cast<int>(now_s - state.visit_s), .last = state.screen});
     }
     const State before = state;
     state = first_state(rules, now_s);
@@ -99,9 +99,9 @@ void Turn::end_visit() {
     state.force_rests = before.force_rests;
     state.interrupted_jar = before.interrupted_jar;
     state.interrupted_session = before.interrupted_session;  // until somebody has decided
-    add(Effect::Kind::kForgetPot);
-    add(Effect::Kind::kSetVolume, state.house_volume);
-    add(Effect::Kind::kStartDemo);
+    add(effect::ForgetPot{});
+    add(effect::SetVolume{state.house_volume});
+    add(effect::StartDemo{});
 }
 
 namespace {
@@ -154,7 +154,7 @@ void wake(Turn& turn) {
     }
 }
 
-void press(Turn& turn, const Event& event) {
+void press(Turn& turn, const event::Pressed& event) {
     State& state = turn.state;
     state.input_s = turn.now_s;
     switch (state.panel) {
@@ -206,44 +206,6 @@ void touch_clay(Turn& turn, bool goes_on) {
     state.pace.seen_since_touch.reset();
 }
 
-// Events of the clay on the wheel and of the hand on it.
-void take_throwing(Turn& turn, const Event& event) {
-    State& state = turn.state;
-    switch (event.kind) {
-        case Event::Kind::kHeld:
-            // Who has just let go is not shown anything at once.
-            if (state.pace.held && event.value != 1) state.pace.touched_s = turn.now_s;
-            state.pace.held = event.value == 1;
-            break;
-        case Event::Kind::kSoaked:
-            if (state.screen == Screen::kThrow) state.throwing.water = std::max(1, state.throwing.water - 1);
-            break;
-        case Event::Kind::kProgress:
-            if (state.screen == Screen::kThrow && event.value > state.throwing.steps_done) {
-                state.throwing.steps_done = std::min(event.value, kTeachingSteps);
-                state.pace.progress_s = turn.now_s;
-            }
-            break;
-        case Event::Kind::kWarned:
-            if (state.screen == Screen::kThrow && event.value >= 0 &&
-                event.value <= static_cast<int>(Warning::kFast) &&
-                state.throwing.warning != static_cast<Warning>(event.value)) {
-                state.throwing.warning = static_cast<Warning>(event.value);
-            }
-            break;
-        case Event::Kind::kCollapsed:
-            if (state.screen == Screen::kThrow) {
-                if (state.panel == Panel::kLanguage) turn.lay_over(Panel::kNone);
-                state.throwing.collapse =
-                    static_cast<Warning>(std::clamp(event.value, 0, static_cast<int>(Warning::kFast)));
-                turn.show(Screen::kFailure);
-            }
-            break;
-        default:
-            break;
-    }
-}
-
 // The wheel cannot work any more.
 void enter_fault(Turn& turn) {
     State& state = turn.state;
@@ -271,94 +233,79 @@ void ask_for_pin(Turn& turn) {
     turn.lay_over(Panel::kPin);
 }
 
-void take(Turn& turn, const Event& event) {
+// What each event does to the visit.
+struct Taking {
+    Turn& turn;
     State& state = turn.state;
-    switch (event.kind) {
-        case Event::Kind::kTick:
-            pass_time(turn);
-            break;
-        case Event::Kind::kInput:
-            wake(turn);
-            if (event.value == 1) end_show(turn);
-            break;
-        case Event::Kind::kPressed:
-            press(turn, event);
-            break;
-        case Event::Kind::kClayTouched:
-            touch_clay(turn, event.value == 1);
-            break;
-        case Event::Kind::kShowOver:
-            end_show(turn);
-            break;
-        case Event::Kind::kHeld:
-        case Event::Kind::kSoaked:
-        case Event::Kind::kProgress:
-        case Event::Kind::kWarned:
-        case Event::Kind::kCollapsed:
-            take_throwing(turn, event);
-            break;
-        case Event::Kind::kBowl:
-        case Event::Kind::kSetAside:
-        case Event::Kind::kRims:
-        case Event::Kind::kRimsApart:
-        case Event::Kind::kJoined:
-        case Event::Kind::kJarStays:
-        case Event::Kind::kUndoneAll:
-            take_jar(turn, event);
-            break;
-        case Event::Kind::kThickFoot:
-        case Event::Kind::kTrimmed:
-            take_trim(turn, event);
-            break;
-        case Event::Kind::kDrawn:
-            take_drawn(turn, event);
-            break;
-        case Event::Kind::kSaved:
-        case Event::Kind::kSaveFailed:
-            take_saved(turn, event);
-            break;
-        case Event::Kind::kShared:
-        case Event::Kind::kShareFailed:
-        case Event::Kind::kShareOver:
-            take_shared(turn, event);
-            break;
-        case Event::Kind::kDeviceLost:
-        case Event::Kind::kDeviceBack:
-            state.device_lost = event.kind == Event::Kind::kDeviceLost;
-            break;
-        case Event::Kind::kForceRests:
-        case Event::Kind::kForceBack:
-            state.force_rests = event.kind == Event::Kind::kForceRests;
-            break;
-        case Event::Kind::kFault:
-            enter_fault(turn);
-            break;
-        case Event::Kind::kFaultOver:
-            if (state.screen == Screen::kFault) turn.end_visit();
-            break;
-        case Event::Kind::kInterruptedSession:
-            state.interrupted_session = true;
-            state.interrupted_jar = event.value;
-            break;
-        case Event::Kind::kCornerHeld:
-            ask_for_pin(turn);
-            break;
-        case Event::Kind::kCloseAsked:
-            if (!turn.rules.locked) turn.add(Effect::Kind::kQuit);
-            break;
+
+    void operator()(const event::Tick& /*event*/) { pass_time(turn); }
+    void operator()(const event::Input& input) {
+        wake(turn);
+        if (input.by_key) end_show(turn);
     }
-}
+    void operator()(const event::Pressed& pressed) { press(turn, pressed); }
+    void operator()(const event::ClayTouched& touched) { touch_clay(turn, touched.goes_on); }
+    void operator()(const event::ShowOver& /*event*/) { end_show(turn); }
+    void operator()(const event::Held& held) {
+        // Who has just let go is not shown anything at once.
+        if (state.pace.held && !held.holds) state.pace.touched_s = turn.now_s;
+        state.pace.held = held.holds;
+    }
+    void operator()(const event::Soaked& /*event*/) {
+        if (state.screen == Screen::kThrow) state.throwing.water = std::max(1, state.throwing.water - 1);
+    }
+    void operator()(const event::Progress& progress) {
+        if (state.screen != Screen::kThrow || progress.steps_done <= state.throwing.steps_done) return;
+        state.throwing.steps_done = std::min(progress.steps_done, kTeachingSteps);
+        state.pace.progress_s = turn.now_s;
+    }
+    void operator()(const event::Warned& warned) {
+        if (state.screen == Screen::kThrow) state.throwing.warning = warned.warning;
+    }
+    void operator()(const event::Collapsed& collapsed) {
+        if (state.screen != Screen::kThrow) return;
+        if (state.panel == Panel::kLanguage) turn.lay_over(Panel::kNone);
+        state.throwing.collapse = collapsed.cause;
+        turn.show(Screen::kFailure);
+    }
+    void operator()(const event::Bowl& bowl) { take_jar(turn, bowl); }
+    void operator()(const event::SetAside& event) { take_jar(turn, event); }
+    void operator()(const event::Rims& rims) { take_jar(turn, rims); }
+    void operator()(const event::RimsApart& event) { take_jar(turn, event); }
+    void operator()(const event::Joined& event) { take_jar(turn, event); }
+    void operator()(const event::JarStays& event) { take_jar(turn, event); }
+    void operator()(const event::UndoneAll& event) { take_jar(turn, event); }
+    void operator()(const event::ThickFoot& /*event*/) { take_thick_foot(turn); }
+    void operator()(const event::Trimmed& trimmed) { take_trimmed(turn, trimmed); }
+    void operator()(const event::Drawn& drawn) { take_drawn(turn, drawn); }
+    void operator()(const event::Saved& saved) { take_saved(turn, saved.number); }
+    void operator()(const event::SaveFailed& /*event*/) { take_saved(turn, std::nullopt); }
+    void operator()(const event::Shared& shared) { take_shared(turn, shared); }
+    void operator()(const event::Device& device) { state.device_lost = !device.is_there; }
+    void operator()(const event::Force& force) { state.force_rests = force.rests; }
+    void operator()(const event::Fault& /*event*/) { enter_fault(turn); }
+    void operator()(const event::FaultOver& /*event*/) {
+        if (state.screen == Screen::kFault) turn.end_visit();
+    }
+    void operator()(const event::InterruptedSession& found) {
+        state.interrupted_session = true;
+        state.interrupted_jar = found.jar;
+    }
+    void operator()(const event::CornerHeld& /*event*/) { ask_for_pin(turn); }
+    void operator()(const event::CloseAsked& /*event*/) {
+        if (!turn.rules.locked) turn.add(effect::Quit{});
+    }
+};
 
 }  // namespace
 
 std::vector<Effect> step(State& state, const Event& event, double now_s, const Rules& rules) {
     Turn turn{.state = state, .now_s = now_s, .rules = rules};
     const bool showed = state.throwing.shown.has_value();
-    take(turn, event);
+    std::visit(Taking{turn}, event);
     if (state.screen != Screen::kThrow || state.panel != Panel::kNone) end_show(turn);
     // Before whatever else is done to the clay.
-    if (showed && !state.throwing.shown)
-        turn.effects.insert(turn.effects.begin(), Effect{Effect::Kind::kStopShow, 0});
+    if (showed && !state.throwing.shown) turn.effects.insert(turn.effects.begin(), effect::StopShow{});
     return std::move(turn.effects);
 }
 

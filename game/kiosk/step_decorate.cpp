@@ -9,7 +9,7 @@ namespace {
 void lift_brush(Turn& turn) {
     if (!turn.state.decorating.brush_down) return;
     turn.state.decorating.brush_down = false;
-    turn.add(Effect::Kind::kPutBrush, 0);
+    turn.add(effect::PutBrush{.down = false});
 }
 
 void take_tool(Turn& turn, int tool) {
@@ -23,18 +23,18 @@ void put_brush(Turn& turn) {
     Decorating& decorating = turn.state.decorating;
     if (decorating.brush_down) return lift_brush(turn);
     decorating.brush_down = decorating.tool != kMotifTool;
-    turn.add(Effect::Kind::kPutBrush, 1);
+    turn.add(effect::PutBrush{.down = true});
 }
 
 }  // namespace
 
 void begin_decorating(Turn& turn) {
     turn.state.decorating = {.turns = !turn.state.comfort.still};
-    turn.add(Effect::Kind::kBeginDrawing);
+    turn.add(effect::BeginDrawing{});
     turn.show(Screen::kDecorate);
 }
 
-void press_decorate(Turn& turn, const Event& event) {
+void press_decorate(Turn& turn, const event::Pressed& event) {
     Decorating& decorating = turn.state.decorating;
     if (!moves_hand(event.button) && event.button != Button::kPutBrush) lift_brush(turn);
     switch (event.button) {
@@ -62,30 +62,30 @@ void press_decorate(Turn& turn, const Event& event) {
             decorating.turns = !decorating.turns;
             break;
         case Button::kUndo:
-            turn.add(Effect::Kind::kUndoStroke);
+            turn.add(effect::UndoStroke{});
             break;
         case Button::kClear:
-            if (decorating.strokes > 0) turn.add(Effect::Kind::kClearDrawing);
+            if (decorating.strokes > 0) turn.add(effect::ClearDrawing{});
             break;
         case Button::kPutBrush:
             put_brush(turn);
             break;
         case Button::kDone:
-            turn.add(Effect::Kind::kEndDrawing);
+            turn.add(effect::EndDrawing{});
             turn.state.firing = FiringStage::kFire;
             turn.show(Screen::kFiring);
             break;
         default:
-            if (moves_hand(event.button)) turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
+            if (moves_hand(event.button)) turn.add(effect::MoveHand{event.button});
             break;
     }
 }
 
-void take_drawn(Turn& turn, const Event& event) {
+void take_drawn(Turn& turn, const event::Drawn& drawn) {
     if (turn.state.screen != Screen::kDecorate) return;
     Decorating& decorating = turn.state.decorating;
-    decorating.touched = decorating.touched || event.value > decorating.strokes;
-    decorating.strokes = std::max(0, event.value);
+    decorating.touched = decorating.touched || drawn.strokes > decorating.strokes;
+    decorating.strokes = std::max(0, drawn.strokes);
 }
 
 }  // namespace onggi::kiosk

@@ -9,8 +9,13 @@
 namespace onggi::kiosk {
 namespace {
 
-bool is_with_clay(const State& state) {
-    return state.screen == Screen::kThrow || state.screen == Screen::kJoin;
+// The jar in the making, if its clay is before the visitor, at this step or at any; else null.
+JarMaking* jar_at_work(Turn& turn, std::optional<JarStep> step = std::nullopt) {
+    State& state = turn.state;
+    JarMaking& jar = state.throwing.jar;
+    const bool is_with_clay = state.screen == Screen::kThrow || state.screen == Screen::kJoin;
+    const bool is_there = jar.step != JarStep::kNone && is_with_clay && jar.step == step.value_or(jar.step);
+    return is_there ? &jar : nullptr;
 }
 
 // Goes to the step with the clay that is on the wheel.
@@ -31,17 +36,17 @@ void put_on_bowl_clay(Turn& turn, JarStep step) {
                 .speed = throwing.speed,
                 .jar = {.step = step}};
     turn.state.pace = {.progress_s = turn.now_s};
-    turn.add(Effect::Kind::kFreshClay, *throwing.target);
+    turn.add(effect::FreshClay{throwing.target});
 }
 
-void ask(Turn& turn, Effect::Kind kind, int value = 0) {
+void ask(Turn& turn, const Effect& effect) {
     JarMaking& jar = turn.state.throwing.jar;
     if (jar.waits) return;
     jar.waits = true;
-    turn.add(kind, value);
+    turn.add(effect);
 }
 
-void end_bowl(Turn& turn, Effect::Kind with) {
+void end_bowl(Turn& turn, const Effect& with) {
     JarMaking& jar = turn.state.throwing.jar;
     jar.is_low = !jar.is_bowl;
     if (jar.is_bowl) ask(turn, with);
@@ -53,12 +58,12 @@ void step_back(Turn& turn) {
     switch (turn.state.throwing.jar.step) {
         case JarStep::kAside:
         case JarStep::kSecondBowl:
-            turn.add(Effect::Kind::kTakeBack, 1);
+            turn.add(effect::TakeBack{.bowl = 1});
             turn.state.throwing.steps_done = kTeachingSteps;
             go_to(turn, JarStep::kFirstBowl);
             break;
         case JarStep::kSeam:
-            turn.add(Effect::Kind::kTakeBack, 2);
+            turn.add(effect::TakeBack{.bowl = 2});
             turn.state.throwing.held = Held::kHand;
             go_to(turn, JarStep::kSecondBowl);
             break;
@@ -76,21 +81,20 @@ void begin_jar(Turn& turn, int target) {
     turn.show(Screen::kJarStart);
 }
 
-void press_jar_start(Turn& turn, const Event& event) {
+void press_jar_start(Turn& turn, const event::Pressed& event) {
     if (event.button == Button::kBack) {
         turn.show(Screen::kChoose);
     } else if (event.button == Button::kBegin) {
         turn.show(Screen::kThrow);
         turn.put_on_clay(turn.state.throwing.target);
         turn.state.throwing.jar.step = JarStep::kFirstBowl;
-        turn.add(Effect::Kind::kBeginJar, *turn.state.throwing.target);
+        turn.add(effect::BeginJar{*turn.state.throwing.target});
     }
 }
 
 void resume_jar(Turn& turn) {
-    const int interrupted = std::exchange(turn.state.interrupted_jar, 0);
-    const int target = interrupted / kInterruptedJarStride - 1;
-    const auto step = static_cast<JarStep>(interrupted % kInterruptedJarStride);
+    const auto [step, target] =
+        std::exchange(turn.state.interrupted_jar, std::nullopt).value_or(InterruptedJar{});
     const std::vector<int>& jars = turn.rules.jars;
     const bool is_step =
         step == JarStep::kFirstBowl || step == JarStep::kSecondBowl || step == JarStep::kSeam;
@@ -117,12 +121,12 @@ void put_on_new_clay(Turn& turn) {
     }
 }
 
-bool press_jar(Turn& turn, const Event& event) {
+bool press_jar(Turn& turn, const event::Pressed& event) {
     const JarMaking& jar = turn.state.throwing.jar;
     const bool is_over = event.button == Button::kDone;
     switch (jar.step) {
         case JarStep::kFirstBowl:
-            if (is_over) end_bowl(turn, Effect::Kind::kSetAside);
+            if (is_over) end_bowl(turn, effect::SetAside{});
             return is_over;
         case JarStep::kAside:
             if (event.button == Button::kUndo) {
@@ -132,7 +136,7 @@ bool press_jar(Turn& turn, const Event& event) {
             end_aside(turn);
             return is_over;
         case JarStep::kSecondBowl:
-            if (is_over) end_bowl(turn, Effect::Kind::kHoldTogether);
+            if (is_over) end_bowl(turn, effect::HoldTogether{});
             return is_over;
         case JarStep::kNone:
         case JarStep::kJoin:
@@ -142,7 +146,7 @@ bool press_jar(Turn& turn, const Event& event) {
     return false;
 }
 
-void press_join(Turn& turn, const Event& event) {
+void press_join(Turn& turn, const event::Pressed& event) {
     JarMaking& jar = turn.state.throwing.jar;
     if (jar.waits) return;
     switch (event.button) {
@@ -157,50 +161,48 @@ void press_join(Turn& turn, const Event& event) {
             break;
         case Button::kHandDown:
         case Button::kJoinBowls:
-            ask(turn, Effect::Kind::kJoinBowls, jar.shift_mm);
+            ask(turn, effect::JoinBowls{jar.shift_mm});
             break;
         default:
             break;
     }
 }
 
-void take_jar(Turn& turn, const Event& event) {
-    State& state = turn.state;
-    JarMaking& jar = state.throwing.jar;
-    if (jar.step == JarStep::kNone || !is_with_clay(state)) return;
-    switch (event.kind) {
-        case Event::Kind::kBowl:
-            jar.is_bowl = event.value == 1;
-            break;
-        case Event::Kind::kSetAside:
-            if (jar.step != JarStep::kFirstBowl) break;
-            put_on_bowl_clay(turn, JarStep::kAside);
-            break;
-        case Event::Kind::kRims:
-            if (jar.step != JarStep::kSecondBowl) break;
-            go_to(turn, JarStep::kJoin);
-            jar.rims_mm = event.value;
-            break;
-        case Event::Kind::kRimsApart:
-            if (jar.step != JarStep::kSecondBowl) break;
-            jar.waits = false;
-            jar.rims_apart = true;
-            break;
-        case Event::Kind::kJoined:
-            if (jar.step != JarStep::kJoin) break;
-            go_to(turn, JarStep::kSeam);
-            state.throwing.steps_done = kTeachingSteps;
-            state.throwing.held = Held::kRib;
-            break;
-        case Event::Kind::kJarStays:
-            jar.waits = false;
-            break;
-        case Event::Kind::kUndoneAll:
-            if (state.screen == Screen::kThrow) step_back(turn);
-            break;
-        default:
-            break;
-    }
+void take_jar(Turn& turn, const event::Bowl& bowl) {
+    if (JarMaking* const jar = jar_at_work(turn)) jar->is_bowl = bowl.is_bowl;
+}
+
+void take_jar(Turn& turn, const event::SetAside& /*event*/) {
+    if (jar_at_work(turn, JarStep::kFirstBowl) != nullptr) put_on_bowl_clay(turn, JarStep::kAside);
+}
+
+void take_jar(Turn& turn, const event::Rims& rims) {
+    JarMaking* const jar = jar_at_work(turn, JarStep::kSecondBowl);
+    if (jar == nullptr) return;
+    go_to(turn, JarStep::kJoin);
+    jar->rims_mm = rims.apart_mm;
+}
+
+void take_jar(Turn& turn, const event::RimsApart& /*event*/) {
+    JarMaking* const jar = jar_at_work(turn, JarStep::kSecondBowl);
+    if (jar == nullptr) return;
+    jar->waits = false;
+    jar->rims_apart = true;
+}
+
+void take_jar(Turn& turn, const event::Joined& /*event*/) {
+    if (jar_at_work(turn, JarStep::kJoin) == nullptr) return;
+    go_to(turn, JarStep::kSeam);
+    turn.state.throwing.steps_done = kTeachingSteps;
+    turn.state.throwing.held = Held::kRib;
+}
+
+void take_jar(Turn& turn, const event::JarStays& /*event*/) {
+    if (JarMaking* const jar = jar_at_work(turn)) jar->waits = false;
+}
+
+void take_jar(Turn& turn, const event::UndoneAll& /*event*/) {
+    if (jar_at_work(turn) != nullptr && turn.state.screen == Screen::kThrow) step_back(turn);
 }
 
 void pass_aside(Turn& turn) {

@@ -10,7 +10,7 @@ void finish_throwing(Turn& turn) {
     turn.state.throwing.tray = false;
     // A bowl that is cut off before the bowls are joined is an ordinary pot.
     if (turn.state.throwing.jar.step != JarStep::kSeam) turn.state.throwing.jar = {};
-    turn.add(Effect::Kind::kCutOff);
+    turn.add(effect::CutOff{});
     turn.state.firing = FiringStage::kCut;
     turn.state.trimming = {};
     turn.state.throwing.warning = Warning::kNone;
@@ -31,7 +31,7 @@ bool is_jar(const Turn& turn, int place) {
     return std::find(jars.begin(), jars.end(), place) != jars.end();
 }
 
-void press_choose(Turn& turn, const Event& event) {
+void press_choose(Turn& turn, const event::Pressed& event) {
     const bool is_target = event.button == Button::kTarget && is_pot(turn, event.value);
     if (event.button == Button::kShelfBefore || event.button == Button::kShelfNext) {
         turn.state.shelf_first = std::clamp(event.value, 0, turn.rules.target_count);
@@ -48,7 +48,7 @@ void press_choose(Turn& turn, const Event& event) {
     }
 }
 
-void press_throw(Turn& turn, const Event& event) {
+void press_throw(Turn& turn, const event::Pressed& event) {
     Throwing& throwing = turn.state.throwing;
     const bool was_shown = throwing.shown.has_value();
     if (event.button != Button::kLookIn) end_show(turn);  // any other button ends the demonstration
@@ -64,7 +64,7 @@ void press_throw(Turn& turn, const Event& event) {
             put_on_new_clay(turn);
             break;
         case Button::kUndo:
-            turn.add(Effect::Kind::kUndo);
+            turn.add(effect::Undo{});
             break;
         case Button::kTools:
             throwing.tray = !throwing.tray;
@@ -77,7 +77,7 @@ void press_throw(Turn& turn, const Event& event) {
         case Button::kCut:
             if (throwing.held != Held::kWire) break;
             throwing.held = Held::kHand;  // the wire is laid back after one cut
-            turn.add(Effect::Kind::kCutRim);
+            turn.add(effect::CutRim{});
             break;
         case Button::kToolLess:
         case Button::kToolMore:
@@ -98,12 +98,12 @@ void press_throw(Turn& turn, const Event& event) {
             finish_throwing(turn);
             break;
         default:
-            if (moves_hand(event.button)) turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
+            if (moves_hand(event.button)) turn.add(effect::MoveHand{event.button});
             break;
     }
 }
 
-void press_failure(Turn& turn, const Event& event) {
+void press_failure(Turn& turn, const event::Pressed& event) {
     if (event.button == Button::kBeforeCollapse) {
         Throwing& throwing = turn.state.throwing;
         throwing.warning = Warning::kNone;
@@ -111,7 +111,7 @@ void press_failure(Turn& turn, const Event& event) {
         // At the same speed the clay would fly apart again before the visitor could slow the wheel.
         if (throwing.collapse == Warning::kFast)
             throwing.speed = std::max(1, std::min(throwing.speed - 1, Throwing().speed));
-        turn.add(Effect::Kind::kBeforeCollapse);
+        turn.add(effect::BeforeCollapse{});
         turn.show(Screen::kThrow);
     } else if (event.button == Button::kNewClay) {
         turn.show(Screen::kThrow);
@@ -121,7 +121,7 @@ void press_failure(Turn& turn, const Event& event) {
     }
 }
 
-void press_glaze(Turn& turn, const Event& event) {
+void press_glaze(Turn& turn, const event::Pressed& event) {
     if (event.button == Button::kGlaze && event.value >= 0 && event.value < turn.rules.glaze_count) {
         turn.state.glaze = event.value;
     } else if (event.button == Button::kTakeGlaze) {
@@ -131,7 +131,7 @@ void press_glaze(Turn& turn, const Event& event) {
     }
 }
 
-void press_your_pot(Turn& turn, const Event& event) {
+void press_your_pot(Turn& turn, const event::Pressed& event) {
     if (event.button == Button::kOtherGlaze) {
         show_glazes(turn);
     } else if (event.button == Button::kCard) {
@@ -139,22 +139,22 @@ void press_your_pot(Turn& turn, const Event& event) {
         turn.lay_over(Panel::kCard);
     } else if (event.button == Button::kKeep) {
         turn.state.keeping = {};
-        turn.add(Effect::Kind::kSave);
+        turn.add(effect::Save{});
         turn.show(Screen::kKeep);
     }
 }
 
-void press_resume(Turn& turn, const Event& event) {
+void press_resume(Turn& turn, const event::Pressed& event) {
     if (event.button == Button::kResumeGo) {
         turn.state.interrupted_session = false;
         turn.state.throwing = {};
         turn.state.pace = {.progress_s = turn.now_s};
-        turn.add(Effect::Kind::kResume);
+        turn.add(effect::Resume{});
         turn.show(Screen::kThrow);
         resume_jar(turn);
     } else if (event.button == Button::kResumeFresh) {
         turn.state.interrupted_session = false;
-        turn.add(Effect::Kind::kDropInterrupted);
+        turn.add(effect::DropInterrupted{});
         turn.show(Screen::kThrow);
         turn.put_on_clay(std::nullopt);
     }
@@ -166,7 +166,7 @@ void Turn::change_volume(int by) {
     const int changed = std::clamp(state.comfort.volume + by, 0, kMostVolume);
     if (changed == state.comfort.volume) return;
     state.comfort.volume = changed;
-    add(Effect::Kind::kSetVolume, changed);
+    add(effect::SetVolume{changed});
 }
 
 void pass_firing(Turn& turn) {
@@ -181,7 +181,7 @@ void pass_firing(Turn& turn) {
     }
 }
 
-void press_screen(Turn& turn, const Event& event) {
+void press_screen(Turn& turn, const event::Pressed& event) {
     switch (turn.state.screen) {
         case Screen::kAttract:
             turn.begin_visit(turn.state.interrupted_session ? Screen::kResume : Screen::kChoose);
@@ -232,25 +232,25 @@ void press_screen(Turn& turn, const Event& event) {
     }
 }
 
-void press_card(Turn& turn, const Event& event) {
+void press_card(Turn& turn, const event::Pressed& event) {
     if (event.button == Button::kCardClose) {
         turn.lay_over(Panel::kNone);
     } else if (event.button == Button::kCardThrow && turn.state.card != kRelativesCard) {
         const int place = turn.state.card;
         turn.lay_over(Panel::kNone);
-        press_choose(turn, Event::pressed(Button::kTarget, place));
+        press_choose(turn, event::Pressed{Button::kTarget, place});
     }
 }
 
-void press_idle(Turn& turn, const Event& event) {
+void press_idle(Turn& turn, const event::Pressed& event) {
     turn.lay_over(Panel::kNone);
     if (event.button != Button::kFresh) return;
-    if (turn.state.screen == Screen::kResume) return press_resume(turn, Event::pressed(Button::kResumeFresh));
+    if (turn.state.screen == Screen::kResume) return press_resume(turn, event::Pressed{Button::kResumeFresh});
     turn.show(Screen::kThrow);
     turn.put_on_clay(std::nullopt);
 }
 
-void press_language(Turn& turn, const Event& event) {
+void press_language(Turn& turn, const event::Pressed& event) {
     Comfort& comfort = turn.state.comfort;
     switch (event.button) {
         case Button::kLanguage:

@@ -5,17 +5,25 @@
 #include "game/kiosk/step_screens.h"
 
 namespace onggi::kiosk {
+namespace {
+
+// Or the last one, if all are done.
+ShownStep next_step(const Throwing& throwing) {
+    return static_cast<ShownStep>(std::min(throwing.steps_done, kTeachingSteps - 1));
+}
+
+}  // namespace
 
 void begin_show(Turn& turn) {
     Throwing& throwing = turn.state.throwing;
     const bool is_tool = throwing.held == Held::kRib || throwing.held == Held::kSponge;
-    const int step = is_tool ? kTeachingSteps : std::min(throwing.steps_done, kTeachingSteps - 1);
+    const ShownStep step = is_tool ? ShownStep::kDrawTool : next_step(throwing);
     if (!is_tool) throwing.held = Held::kHand;
     throwing.tray = false;
     throwing.shown = step;
     turn.state.pace.shown_s = turn.now_s;
     turn.state.pace.seen_since_touch = step;
-    turn.add(Effect::Kind::kShowStep, step);
+    turn.add(effect::ShowStep{step});
 }
 
 void end_show(Turn& turn) {
@@ -38,7 +46,7 @@ void pass_show(Turn& turn) {
     // near collapse.
     const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !pace.held &&
                            throwing.held == Held::kHand && !throwing.tray &&
-                           pace.seen_since_touch != throwing.steps_done && throwing.warning == Warning::kNone;
+                           pace.seen_since_touch != next_step(throwing) && throwing.warning == Warning::kNone;
     const double quiet_s = now_s - std::max(pace.touched_s, pace.show_over_s);
     if (is_wanted && now_s - pace.progress_s >= rules.show_after_s && quiet_s >= rules.show_rests_s)
         begin_show(turn);

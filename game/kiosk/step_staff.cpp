@@ -19,7 +19,7 @@ void count_wrong_pin(Turn& turn) {
     guard.opens_s = turn.now_s + wait_s;
 }
 
-void press_pin(Turn& turn, const Event& event) {
+void press_pin(Turn& turn, const event::Pressed& event) {
     Staff& staff = turn.state.staff;
     if (event.button == Button::kPinClear) staff = {};
     if (event.button != Button::kDigit || event.value < 0 || event.value > 9) return;
@@ -41,23 +41,23 @@ void answer_question(Turn& turn, bool yes) {
     if (!yes) return;
     switch (question) {
         case StaffQuestion::kDeletePot:
-            turn.add(Effect::Kind::kDeletePot, staff.pot);
+            turn.add(effect::DeletePot{staff.pot});
             break;
         case StaffQuestion::kWithdrawCode:
-            turn.add(Effect::Kind::kWithdrawCode, staff.pot);
+            turn.add(effect::WithdrawCode{staff.pot});
             break;
         case StaffQuestion::kRestart:
-            turn.add(Effect::Kind::kRestart);
+            turn.add(effect::Restart{});
             break;
         case StaffQuestion::kQuit:
-            turn.add(Effect::Kind::kQuit);
+            turn.add(effect::Quit{});
             break;
         case StaffQuestion::kNone:
             break;
     }
 }
 
-void press_panel(Turn& turn, const Event& event) {
+void press_panel(Turn& turn, const event::Pressed& event) {
     Staff& staff = turn.state.staff;
     switch (event.button) {
         case Button::kStaffPage:
@@ -69,22 +69,22 @@ void press_panel(Turn& turn, const Event& event) {
             staff.first_line = std::max(0, event.value);
             break;
         case Button::kStaffForceTest:
-            turn.add(Effect::Kind::kTestForce);
+            turn.add(effect::TestForce{});
             break;
         case Button::kStaffSoundTest:
-            turn.add(Effect::Kind::kTestSound);
+            turn.add(effect::TestSound{});
             break;
         case Button::kSoundLess:
         case Button::kSoundMore:
             turn.change_volume(event.button == Button::kSoundMore ? 1 : -1);
             if (turn.state.house_volume == turn.state.comfort.volume) break;
             turn.state.house_volume = turn.state.comfort.volume;
-            turn.add(Effect::Kind::kKeepHouse);
+            turn.add(effect::KeepHouse{});
             break;
         case Button::kStaffLanguage:
             turn.state.house_language = (turn.state.house_language + 1) % turn.rules.language_count;
             turn.state.comfort.language = turn.state.house_language;
-            turn.add(Effect::Kind::kKeepHouse);
+            turn.add(effect::KeepHouse{});
             break;
         case Button::kStaffDeletePot:
         case Button::kStaffWithdrawCode:
@@ -105,7 +105,7 @@ void press_panel(Turn& turn, const Event& event) {
 
 }  // namespace
 
-void press_staff(Turn& turn, const Event& event) {
+void press_staff(Turn& turn, const event::Pressed& event) {
     if (event.button == Button::kPinClose || event.button == Button::kStaffClose) {
         turn.leave_staff();
     } else if (turn.state.panel == Panel::kPin) {

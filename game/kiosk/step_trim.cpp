@@ -7,7 +7,7 @@ namespace onggi::kiosk {
 namespace {
 
 void end_trimming(Turn& turn) {
-    turn.add(Effect::Kind::kEndTrim, turn.state.trimming.touched ? 1 : 0);
+    turn.add(effect::EndTrim{.took_clay = turn.state.trimming.touched});
     begin_decorating(turn);
 }
 
@@ -16,16 +16,16 @@ void end_trimming(Turn& turn) {
 void end_drying(Turn& turn) {
     if (!turn.state.trimming.is_offered) return begin_decorating(turn);
     turn.state.trimming = {};
-    turn.add(Effect::Kind::kBeginTrim);
+    turn.add(effect::BeginTrim{});
     turn.show(Screen::kTrim);
 }
 
-void press_trim(Turn& turn, const Event& event) {
+void press_trim(Turn& turn, const event::Pressed& event) {
     Trimming& trimming = turn.state.trimming;
     Throwing& throwing = turn.state.throwing;
     switch (event.button) {
         case Button::kUndo:
-            turn.add(Effect::Kind::kUndo);
+            turn.add(effect::Undo{});
             break;
         case Button::kToolLess:
         case Button::kToolMore:
@@ -40,19 +40,21 @@ void press_trim(Turn& turn, const Event& event) {
             end_trimming(turn);
             break;
         default:
-            if (moves_hand(event.button)) turn.add(Effect::Kind::kMoveHand, static_cast<int>(event.button));
+            if (moves_hand(event.button)) turn.add(effect::MoveHand{event.button});
             break;
     }
 }
 
-void take_trim(Turn& turn, const Event& event) {
+void take_thick_foot(Turn& turn) {
     State& state = turn.state;
-    if (event.kind == Event::Kind::kThickFoot) {
-        state.trimming.is_offered = state.screen == Screen::kFiring && state.firing != FiringStage::kFire;
-    } else if (state.screen == Screen::kTrim) {
-        state.trimming.taken_g = std::max(0, event.value);
-        state.trimming.touched = state.trimming.touched || event.value > 0;
-    }
+    state.trimming.is_offered = state.screen == Screen::kFiring && state.firing != FiringStage::kFire;
+}
+
+void take_trimmed(Turn& turn, const event::Trimmed& trimmed) {
+    Trimming& trimming = turn.state.trimming;
+    if (turn.state.screen != Screen::kTrim) return;
+    trimming.taken_g = std::max(0, trimmed.taken_g);
+    trimming.touched = trimming.touched || trimmed.taken_g > 0;
 }
 
 }  // namespace onggi::kiosk

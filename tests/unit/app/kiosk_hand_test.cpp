@@ -118,7 +118,7 @@ TEST_F(KioskHandTest, TakesItsSettingsFromTheLedge) {
 }
 
 TEST_F(KioskHandTest, PlaysAStepOfTheLessonAndStops) {
-    hand_.show(ShownStep::kPress, lump_, 1.0);
+    hand_.show(kiosk::ShownStep::kPress, lump_, 1.0);
     auto tool = next(hand_, lump_);
     EXPECT_TRUE(hand_.shows());
     EXPECT_FALSE(tool.pressing) << "the hands are seen to come";
@@ -146,14 +146,14 @@ TEST_F(KioskHandTest, GivesWayToWhateverTheVisitorDoes) {
                                                   [&] { hand_.release(); }};
     for (std::size_t way = 0; way < ways.size(); ++way) {
         hand_.leave_clay();
-        hand_.show(ShownStep::kRaise, lump_, 1.0);
+        hand_.show(kiosk::ShownStep::kRaise, lump_, 1.0);
         ASSERT_TRUE(after(hand_, lump_, 1.5).pressing);
         ways[way]();
         EXPECT_FALSE(hand_.shows()) << way;
         EXPECT_FALSE(next(hand_, lump_).pressing) << "between two touches there is none: " << way;
     }
     hand_.release();
-    hand_.show(ShownStep::kRaise, lump_, 1.0);
+    hand_.show(kiosk::ShownStep::kRaise, lump_, 1.0);
     after(hand_, lump_, 1.5);
     hand_.hover({0.0, 0.0});
     EXPECT_TRUE(hand_.shows()) << "a mouse that trembles is nobody";

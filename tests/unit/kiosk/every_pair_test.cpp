@@ -49,12 +49,11 @@ const std::string kClosesStaff =
     "attract+staff -> attract, attract-left+pin -> attract-left, attract-left+staff -> attract-left";
 
 std::vector<Happening> events() {
-    using Kind = Event::Kind;
-    const auto at_once = [](const char* name, Kind kind, int value, const char* rules) {
-        return Happening{name, {kind, Button::kNone, value}, 0.0, rules};
+    const auto at_once = [](const char* name, const Event& event, const char* rules) {
+        return Happening{name, event, 0.0, rules};
     };
     const auto tick = [](const char* name, double after_s, const std::string& rules) {
-        return Happening{name, {Kind::kTick, Button::kNone, 0}, after_s, rules};
+        return Happening{name, event::Tick{}, after_s, rules};
     };
     const std::string leaves =
         "left-alone -> same+idle, firing -> decorate+idle, left-alone+language -> same+idle, "
@@ -70,62 +69,62 @@ std::vector<Happening> events() {
         tick("46 s", 46.0, leaves),
         tick("130 s", 130.0, leaves + ", " + kClosesStaff),
         tick("181 s", 181.0, leaves + ", join -> same+idle, join+language -> same+idle, " + kClosesStaff),
-        at_once("input", Kind::kInput, 0,
+        at_once("input", event::Input{.by_key = false},
                 "attract -> choose, attract-left -> resume, left-alone+idle -> same, join+idle -> same"),
-        at_once("clay touched", Kind::kClayTouched, 0,
+        at_once("clay touched", event::ClayTouched{.goes_on = false},
                 "attract -> throw, attract-left -> resume, choose -> throw, choose+idle -> throw, "
                 "throw+idle -> same, failure+idle -> same, trim+idle -> same, decorate+idle -> same, "
                 "glaze+idle -> same, "
                 "your-pot+idle -> same, jar-start+idle -> same, join+idle -> same, "
                 "saving+idle -> same, keep+idle -> same, resume+idle -> same"),
-        at_once("held", Kind::kHeld, 1, ""),
-        at_once("show over", Kind::kShowOver, 0, ""),
-        at_once("soaked", Kind::kSoaked, 0, ""),
-        at_once("progress", Kind::kProgress, 2, ""),
-        at_once("warned", Kind::kWarned, 1, ""),
-        at_once("collapsed", Kind::kCollapsed, 1,
+        at_once("held", event::Held{.holds = true}, ""),
+        at_once("show over", event::ShowOver{}, ""),
+        at_once("soaked", event::Soaked{}, ""),
+        at_once("progress", event::Progress{2}, ""),
+        at_once("warned", event::Warned{Warning::kThin}, ""),
+        at_once("collapsed", event::Collapsed{Warning::kThin},
                 "throw -> failure, throw+language -> failure, throw+idle -> failure+idle, "
                 "throw+pin -> failure+pin, throw+staff -> failure+staff"),
-        at_once("bowl", Kind::kBowl, 1, ""),
-        at_once("set aside", Kind::kSetAside, 0, ""),
-        at_once("rims", Kind::kRims, 3, ""),
-        at_once("rims apart", Kind::kRimsApart, 0, ""),
-        at_once("joined", Kind::kJoined, 0,
+        at_once("bowl", event::Bowl{.is_bowl = true}, ""),
+        at_once("set aside", event::SetAside{}, ""),
+        at_once("rims", event::Rims{3}, ""),
+        at_once("rims apart", event::RimsApart{}, ""),
+        at_once("joined", event::Joined{},
                 "join -> throw, join+language -> throw+language, join+idle -> throw+idle, "
                 "join+pin -> throw+pin, join+staff -> throw+staff"),
-        at_once("jar stays", Kind::kJarStays, 0, ""),
-        at_once("undone all", Kind::kUndoneAll, 0, ""),
-        at_once("thick foot", Kind::kThickFoot, 0, ""),
-        at_once("trimmed", Kind::kTrimmed, 12, ""),
-        at_once("drawn", Kind::kDrawn, 3, ""),
-        at_once("saved", Kind::kSaved, 5,
+        at_once("jar stays", event::JarStays{}, ""),
+        at_once("undone all", event::UndoneAll{}, ""),
+        at_once("thick foot", event::ThickFoot{}, ""),
+        at_once("trimmed", event::Trimmed{12}, ""),
+        at_once("drawn", event::Drawn{3}, ""),
+        at_once("saved", event::Saved{5},
                 "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
                 "saving+pin -> keep+pin, saving+staff -> keep+staff"),
-        at_once("save failed", Kind::kSaveFailed, 0,
+        at_once("save failed", event::SaveFailed{},
                 "saving -> keep, saving+language -> keep+language, saving+idle -> keep+idle, "
                 "saving+pin -> keep+pin, saving+staff -> keep+staff"),
-        at_once("shared", Kind::kShared, 1, ""),
-        at_once("share failed", Kind::kShareFailed, 1, ""),
-        at_once("share over", Kind::kShareOver, 1, ""),
-        at_once("device lost", Kind::kDeviceLost, 0, ""),
-        at_once("device back", Kind::kDeviceBack, 0, ""),
-        at_once("force rests", Kind::kForceRests, 0, ""),
-        at_once("force back", Kind::kForceBack, 0, ""),
+        at_once("shared", event::Shared{1}, ""),
+        at_once("share failed", event::Shared{1, ShareOutcome::kFailed}, ""),
+        at_once("share over", event::Shared{1, ShareOutcome::kOver}, ""),
+        at_once("device lost", event::Device{.is_there = false}, ""),
+        at_once("device back", event::Device{.is_there = true}, ""),
+        at_once("force rests", event::Force{.rests = true}, ""),
+        at_once("force back", event::Force{.rests = false}, ""),
         at_once(
-            "fault", Kind::kFault, 0,
+            "fault", event::Fault{},
             "any -> fault, attract+language -> fault, attract-left+language -> fault, "
             "visit+language -> fault, left-alone+idle -> fault, join+idle -> fault, any+pin -> fault+pin, "
             "any+staff -> fault+staff, told+card -> fault"),
-        at_once("fault over", Kind::kFaultOver, 0,
+        at_once("fault over", event::FaultOver{},
                 "fault -> attract, fault+pin -> attract, fault+staff -> attract"),
-        at_once("left over", Kind::kInterruptedSession, 0,
+        at_once("left over", event::InterruptedSession{},
                 "attract -> attract-left, attract+language -> attract-left+language, "
                 "attract+pin -> attract-left+pin, attract+staff -> attract-left+staff"),
-        at_once("corner held", Kind::kCornerHeld, 0,
+        at_once("corner held", event::CornerHeld{},
                 "any -> same+pin, attract+language -> same+pin, attract-left+language -> same+pin, "
                 "visit+language -> same+pin, left-alone+idle -> same+pin, join+idle -> same+pin, told+card "
                 "-> same+pin"),
-        at_once("close asked", Kind::kCloseAsked, 0, ""),
+        at_once("close asked", event::CloseAsked{}, ""),
     };
 }
 
@@ -171,7 +170,7 @@ std::vector<Happening> buttons() {
     for (int place = 0; place < kButtonCount; ++place) {
         const auto button = static_cast<Button>(place);
         const auto rule = rules.find(button);
-        all.push_back({fmt::format("button {}", place), Event::pressed(button, 1), 0.0,
+        all.push_back({fmt::format("button {}", place), event::Pressed{button, 1}, 0.0,
                        rule == rules.end() ? any : rule->second});
     }
     return all;
@@ -207,21 +206,21 @@ std::string name_of_place(const State& state) {
 Visitor at_screen(const std::string& name) {
     Visitor visitor(Rules{.jars = {2}, .locked = true, .pin = 1234, .pin_digits = 4});
     if (name == "attract") return visitor;
-    if (name == "attract-left") return visitor.does(Event::Kind::kInterruptedSession);
-    if (name == "choose") return visitor.does(Event::Kind::kInput);
+    if (name == "attract-left") return visitor.does(event::InterruptedSession{});
+    if (name == "choose") return visitor.does(event::Input{});
     if (name == "jar-start") return visitor.chooses_a_jar(2);
     if (name == "join") return visitor.chooses_a_jar(2).holds_two_bowls();
     if (name == "throw") return visitor.starts_to_throw();
-    if (name == "failure") return visitor.starts_to_throw().does(Event::Kind::kCollapsed);
+    if (name == "failure") return visitor.starts_to_throw().does(event::Collapsed{});
     if (name == "firing") return visitor.fires();
-    if (name == "trim") return visitor.fires().does(Event::Kind::kThickFoot).presses(Button::kSkip);
+    if (name == "trim") return visitor.fires().does(event::ThickFoot{}).presses(Button::kSkip);
     if (name == "decorate") return visitor.decorates();
     if (name == "glaze") return visitor.chooses_a_glaze();
     if (name == "your-pot") return visitor.sees_the_pot();
     if (name == "saving") return visitor.keeps();
-    if (name == "keep") return visitor.keeps().does(Event::Kind::kSaved, 1);
-    if (name == "resume") return visitor.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput);
-    if (name == "fault") return visitor.does(Event::Kind::kFault);
+    if (name == "keep") return visitor.keeps().does(event::Saved{1});
+    if (name == "resume") return visitor.does(event::InterruptedSession{}).does(event::Input{});
+    if (name == "fault") return visitor.does(event::Fault{});
     ADD_FAILURE() << "no way is known to " << name;
     return visitor;
 }
@@ -232,10 +231,10 @@ Visitor at_place(const std::string& name) {
     if (panel == "+language") visitor.presses(Button::kLanguages);
     if (panel == "+idle") {
         visitor.now_s += screen == "join" ? 181.0 : 46.0;
-        visitor.does(Event::Kind::kTick);
+        visitor.does(event::Tick{});
     }
     if (panel == "+card") visitor.presses(Button::kCard, 1);
-    if (panel == "+pin" || panel == "+staff") visitor.does(Event::Kind::kCornerHeld);
+    if (panel == "+pin" || panel == "+staff") visitor.does(event::CornerHeld{});
     if (panel == "+staff") {
         for (const int digit : {1, 2, 3, 4})
             visitor.presses(Button::kDigit, digit);
@@ -287,14 +286,14 @@ TEST(EveryPair, KnowsAWayToEveryPlace) {
 }
 
 TEST(EveryPair, ExpectsSomethingOfEveryEventAndEveryButton) {
-    std::set<int> kinds{static_cast<int>(Event::Kind::kPressed)};  // of which the buttons are
+    std::set<std::size_t> kinds{Event(event::Pressed{}).index()};  // of which the buttons are
     for (const Happening& happening : events())
-        kinds.insert(static_cast<int>(happening.event.kind));
-    EXPECT_EQ(kinds.size(), static_cast<std::size_t>(kEventKindCount)) << "an event without expectation";
+        kinds.insert(happening.event.index());
+    EXPECT_EQ(kinds.size(), std::variant_size_v<Event>) << "an event without expectation";
     const std::vector<Happening> all = buttons();
     ASSERT_EQ(all.size(), static_cast<std::size_t>(kButtonCount)) << "a button without expectation";
     for (std::size_t i = 0; i < all.size(); ++i)
-        EXPECT_EQ(static_cast<std::size_t>(all[i].event.button), i);
+        EXPECT_EQ(static_cast<std::size_t>(std::get<event::Pressed>(all[i].event).button), i);
 }
 
 TEST(EveryPair, LeadsWhereItShould) {

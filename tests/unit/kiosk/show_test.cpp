@@ -7,15 +7,13 @@
 namespace onggi::kiosk {
 namespace {
 
-using Kind = Event::Kind;
-
 TEST(Show, DoesTheNextStepForWhoAsks) {
     for (int done = 0; done <= kTeachingSteps; ++done) {
         Visitor visitor;
-        visitor.starts_to_throw().does(Kind::kProgress, done).presses(Button::kShowMe);
-        const int step = std::min(done, kTeachingSteps - 1);
+        visitor.starts_to_throw().does(event::Progress{done}).presses(Button::kShowMe);
+        const auto step = static_cast<ShownStep>(std::min(done, kTeachingSteps - 1));
         EXPECT_EQ(visitor.state.throwing.shown, step);
-        EXPECT_EQ(visitor.last, (std::vector<Effect>{{Effect::Kind::kShowStep, step}}))
+        EXPECT_EQ(visitor.last, (std::vector<Effect>{effect::ShowStep{step}}))
             << "after the lesson, the last: raising";
         EXPECT_EQ(spoken_key(visitor.state), "show.on");
         EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
@@ -23,22 +21,22 @@ TEST(Show, DoesTheNextStepForWhoAsks) {
 }
 
 TEST(Show, StopsAtOnceForAnyKeyAnyTouchAndMyTurn) {
-    const Event kSigns[] = {{Kind::kInput, Button::kNone, 1},   {Kind::kClayTouched, Button::kNone, 0},
-                            Event::pressed(Button::kMyTurn),    Event::pressed(Button::kShowMe),
-                            Event::pressed(Button::kWaterMore), Event::pressed(Button::kLanguages),
-                            Event::pressed(Button::kDone)};
+    const Event kSigns[] = {event::Input{.by_key = true},       event::ClayTouched{},
+                            event::Pressed{Button::kMyTurn},    event::Pressed{Button::kShowMe},
+                            event::Pressed{Button::kWaterMore}, event::Pressed{Button::kLanguages},
+                            event::Pressed{Button::kDone}};
     for (const Event& sign : kSigns) {
         Visitor visitor;
         visitor.starts_to_throw().presses(Button::kShowMe).waits(1.0).does(sign);
-        EXPECT_FALSE(visitor.state.throwing.shown) << static_cast<int>(sign.button);
+        EXPECT_FALSE(visitor.state.throwing.shown) << sign.index();
         ASSERT_FALSE(visitor.last.empty());
-        EXPECT_EQ(visitor.last.front().kind, Effect::Kind::kStopShow);
+        EXPECT_TRUE(std::holds_alternative<effect::StopShow>(visitor.last.front()));
     }
 }
 
 TEST(Show, GoesOnWhileAMouseIsMovedOrSomebodyLooksIn) {
     Visitor visitor;
-    visitor.starts_to_throw().presses(Button::kShowMe).does(Kind::kInput).presses(Button::kLookIn);
+    visitor.starts_to_throw().presses(Button::kShowMe).does(event::Input{}).presses(Button::kLookIn);
     EXPECT_TRUE(visitor.state.throwing.shown);
     EXPECT_TRUE(visitor.state.throwing.looks_in);
 }
@@ -46,19 +44,19 @@ TEST(Show, GoesOnWhileAMouseIsMovedOrSomebodyLooksIn) {
 TEST(Show, IsTakenBackByOneUndoThatFindsItOver) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kShowMe).waits(1.0).presses(Button::kUndo);
-    const std::vector<Effect> expected{{Effect::Kind::kStopShow, 0}, {Effect::Kind::kUndo, 0}};
+    const std::vector<Effect> expected{effect::StopShow{}, effect::Undo{}};
     EXPECT_EQ(visitor.last, expected);
 }
 
 TEST(Show, EndsByItselfAndAfterSixSecondsAtMost) {
     Visitor visitor;
-    visitor.starts_to_throw().presses(Button::kShowMe).waits(2.0).does(Kind::kShowOver);
+    visitor.starts_to_throw().presses(Button::kShowMe).waits(2.0).does(event::ShowOver{});
     EXPECT_FALSE(visitor.state.throwing.shown);
     visitor.presses(Button::kShowMe).waits(5.8);
     EXPECT_TRUE(visitor.state.throwing.shown);
     visitor.waits(0.3);
     EXPECT_FALSE(visitor.state.throwing.shown);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kStopShow));
+    EXPECT_TRUE(visitor.caused<effect::StopShow>());
 }
 
 TEST(Show, ComesByItselfAfterEightSecondsWithoutProgressOnceAStep) {
@@ -66,13 +64,13 @@ TEST(Show, ComesByItselfAfterEightSecondsWithoutProgressOnceAStep) {
     visitor.starts_to_throw().waits(7.8);
     EXPECT_FALSE(visitor.state.throwing.shown);
     visitor.waits(0.3);
-    EXPECT_EQ(visitor.state.throwing.shown, 0);
-    visitor.does(Kind::kShowOver).waits(20.0);
-    EXPECT_EQ(visitor.count(Effect::Kind::kShowStep), 1) << "whoever has seen it is left alone with it";
-    visitor.does(Kind::kClayTouched).waits(2.8);
-    EXPECT_EQ(visitor.count(Effect::Kind::kShowStep), 1) << "not the moment the visitor lets go";
+    EXPECT_EQ(visitor.state.throwing.shown, ShownStep::kPress);
+    visitor.does(event::ShowOver{}).waits(20.0);
+    EXPECT_EQ(visitor.count<effect::ShowStep>(), 1) << "whoever has seen it is left alone with it";
+    visitor.does(event::ClayTouched{}).waits(2.8);
+    EXPECT_EQ(visitor.count<effect::ShowStep>(), 1) << "not the moment the visitor lets go";
     visitor.waits(0.4);
-    EXPECT_EQ(visitor.count(Effect::Kind::kShowStep), 2) << "who has tried may need it again";
+    EXPECT_EQ(visitor.count<effect::ShowStep>(), 2) << "who has tried may need it again";
 }
 
 TEST(Show, GoesThroughAllStepsForWhoOnlyLooks) {
@@ -80,8 +78,8 @@ TEST(Show, GoesThroughAllStepsForWhoOnlyLooks) {
     visitor.starts_to_throw();
     for (int step = 0; step < kTeachingSteps; ++step) {
         visitor.waits(8.2);
-        EXPECT_EQ(visitor.state.throwing.shown, step);
-        visitor.does(Kind::kProgress, step + 1).does(Kind::kShowOver);
+        EXPECT_EQ(visitor.state.throwing.shown, static_cast<ShownStep>(step));
+        visitor.does(event::Progress{step + 1}).does(event::ShowOver{});
     }
     visitor.waits(15.0);
     EXPECT_FALSE(visitor.state.throwing.shown) << "all is shown";
@@ -91,22 +89,22 @@ TEST(Show, GoesThroughAllStepsForWhoOnlyLooks) {
 
 TEST(Show, NeverComesByItselfUnderAHandOrOnClayThatHardlyStands) {
     Visitor holding;
-    holding.starts_to_throw().does(Kind::kClayTouched).does(Kind::kHeld, 1).waits(30.0);
-    EXPECT_FALSE(holding.caused(Effect::Kind::kShowStep));
-    holding.does(Kind::kHeld, 0).waits(2.8);
-    EXPECT_FALSE(holding.caused(Effect::Kind::kShowStep));
+    holding.starts_to_throw().does(event::ClayTouched{}).does(event::Held{.holds = true}).waits(30.0);
+    EXPECT_FALSE(holding.caused<effect::ShowStep>());
+    holding.does(event::Held{.holds = false}).waits(2.8);
+    EXPECT_FALSE(holding.caused<effect::ShowStep>());
     holding.waits(0.3);
-    EXPECT_TRUE(holding.caused(Effect::Kind::kShowStep));
+    EXPECT_TRUE(holding.caused<effect::ShowStep>());
 
     Visitor warned;
-    warned.starts_to_throw().does(Kind::kWarned, static_cast<int>(Warning::kWet)).waits(30.0);
-    EXPECT_FALSE(warned.caused(Effect::Kind::kShowStep));
+    warned.starts_to_throw().does(event::Warned{Warning::kWet}).waits(30.0);
+    EXPECT_FALSE(warned.caused<effect::ShowStep>());
 }
 
 TEST(Show, ComesOnlyWhenAskedForWhereTheMuseumWantsItSo) {
     Visitor visitor(Rules{.shows_by_itself = false});
     visitor.starts_to_throw().waits(30.0);
-    EXPECT_FALSE(visitor.caused(Effect::Kind::kShowStep));
+    EXPECT_FALSE(visitor.caused<effect::ShowStep>());
     visitor.presses(Button::kShowMe);
     EXPECT_TRUE(visitor.state.throwing.shown);
 }
@@ -115,7 +113,7 @@ TEST(Show, ShowsNoCueToAHandThatIsAtWork) {
     Visitor visitor;
     visitor.starts_to_throw();
     EXPECT_TRUE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
-    visitor.does(Kind::kHeld, 1);
+    visitor.does(event::Held{.holds = true});
     EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
 }
 

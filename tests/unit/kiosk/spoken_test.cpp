@@ -15,19 +15,19 @@ namespace {
 TEST(Spoken, SaysWhereAVisitorIs) {
     Visitor visitor;
     EXPECT_EQ(spoken_key(visitor.state), "attract.touch");
-    visitor.does(Event::Kind::kInput);
+    visitor.does(event::Input{});
     EXPECT_EQ(spoken_key(visitor.state), "choose.title");
     visitor.presses(Button::kFree);
     EXPECT_EQ(spoken_key(visitor.state), "step.press");
-    visitor.does(Event::Kind::kProgress, 1);
+    visitor.does(event::Progress{1});
     EXPECT_EQ(spoken_key(visitor.state), "step.open");
-    visitor.does(Event::Kind::kWarned, static_cast<int>(Warning::kWet));
+    visitor.does(event::Warned{Warning::kWet});
     EXPECT_EQ(spoken_key(visitor.state), "warn.wet");
-    visitor.does(Event::Kind::kWarned, static_cast<int>(Warning::kNone)).does(Event::Kind::kProgress, 3);
+    visitor.does(event::Warned{Warning::kNone}).does(event::Progress{3});
     EXPECT_EQ(spoken_key(visitor.state), "step.own");
     visitor.waits(46.0);
     EXPECT_EQ(spoken_key(visitor.state), "idle.title");
-    visitor.does(Event::Kind::kInput).presses(Button::kDone);
+    visitor.does(event::Input{}).presses(Button::kDone);
     EXPECT_EQ(spoken_key(visitor.state), "fin.cut");
     visitor.presses(Button::kSkip);
     EXPECT_EQ(spoken_key(visitor.state), "dec.title");
@@ -39,7 +39,7 @@ TEST(Spoken, SaysWhereAVisitorIs) {
     EXPECT_EQ(spoken_key(visitor.state), "your.title");
     visitor.presses(Button::kKeep);
     EXPECT_EQ(spoken_key(visitor.state), "") << "not before the pot is safe";
-    visitor.does(Event::Kind::kSaved, 3);
+    visitor.does(event::Saved{3});
     EXPECT_EQ(spoken_key(visitor.state), "keep.title");
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 Visitor at_the_keypad() {
     Visitor staff(Rules{.locked = true, .pin = 1234, .pin_digits = 4});
-    staff.does(Event::Kind::kCornerHeld);
+    staff.does(event::CornerHeld{});
     return staff;
 }
 
@@ -53,11 +53,11 @@ TEST(StaffPin, RemembersTheWaitThroughClosingAndThroughVisits) {
     Visitor thief = at_the_keypad();
     for (int tries = 0; tries < 3; ++tries)
         types(thief, 9);
-    thief.presses(Button::kPinClose).does(Event::Kind::kCornerHeld);
+    thief.presses(Button::kPinClose).does(event::CornerHeld{});
     types(thief, 1);
     EXPECT_EQ(thief.state.panel, Panel::kPin);
     thief.presses(Button::kPinClear).presses(Button::kPinClose).starts_to_throw();
-    thief.does(Event::Kind::kFault).does(Event::Kind::kFaultOver).does(Event::Kind::kCornerHeld);
+    thief.does(event::Fault{}).does(event::FaultOver{}).does(event::CornerHeld{});
     types(thief, 1);
     EXPECT_EQ(thief.state.panel, Panel::kPin);
     thief.waits(15.0);
@@ -69,7 +69,7 @@ TEST(StaffPin, RemembersTheWaitThroughClosingAndThroughVisits) {
 TEST(StaffPanel, TestsForceAndSoundAtOnce) {
     Visitor staff = at_the_panel();
     staff.presses(Button::kStaffForceTest).presses(Button::kStaffSoundTest);
-    const std::vector<Effect> expected{{Effect::Kind::kTestForce, 0}, {Effect::Kind::kTestSound, 0}};
+    const std::vector<Effect> expected{effect::TestForce{}, effect::TestSound{}};
     EXPECT_EQ(staff.all, expected);
 }
 
@@ -77,10 +77,10 @@ TEST(StaffPanel, AsksBeforeItDestroysAnything) {
     const struct {
         Button button;
         Effect effect;
-    } kCases[] = {{Button::kStaffDeletePot, {Effect::Kind::kDeletePot, 7}},
-                  {Button::kStaffWithdrawCode, {Effect::Kind::kWithdrawCode, 7}},
-                  {Button::kStaffRestart, {Effect::Kind::kRestart, 0}},
-                  {Button::kStaffQuit, {Effect::Kind::kQuit, 0}}};
+    } kCases[] = {{Button::kStaffDeletePot, effect::DeletePot{7}},
+                  {Button::kStaffWithdrawCode, effect::WithdrawCode{7}},
+                  {Button::kStaffRestart, effect::Restart{}},
+                  {Button::kStaffQuit, effect::Quit{}}};
     for (const auto& one : kCases) {
         Visitor staff = at_the_panel();
         staff.presses(one.button, 7);
@@ -100,27 +100,27 @@ TEST(StaffPanel, AsksBeforeItDestroysAnything) {
 
 TEST(StaffPanel, ForgetsAQuestionThatWasLeft) {
     Visitor staff = at_the_panel();
-    staff.presses(Button::kStaffQuit).waits(200.0).does(Event::Kind::kCornerHeld);
+    staff.presses(Button::kStaffQuit).waits(200.0).does(event::CornerHeld{});
     types(staff, 1);
     ASSERT_EQ(staff.state.panel, Panel::kStaff);
     staff.presses(Button::kStaffYes);
-    EXPECT_FALSE(staff.caused(Effect::Kind::kQuit));
+    EXPECT_FALSE(staff.caused<effect::Quit>());
 }
 
 TEST(StaffPanel, SetsTheVolumeForAllVisitsToCome) {
     Visitor staff = at_the_panel();
     staff.presses(Button::kSoundMore).presses(Button::kSoundMore).presses(Button::kSoundMore);
     EXPECT_EQ(staff.state.comfort.volume, 5);
-    EXPECT_EQ(staff.count(Effect::Kind::kSetVolume), 2) << "there is no sixth step";
-    EXPECT_EQ(staff.count(Effect::Kind::kKeepHouse), 2);
+    EXPECT_EQ(staff.count<effect::SetVolume>(), 2) << "there is no sixth step";
+    EXPECT_EQ(staff.count<effect::KeepHouse>(), 2);
     staff.presses(Button::kStaffClose).starts_to_throw();
     EXPECT_EQ(staff.state.comfort.volume, 5);
     staff.presses(Button::kLanguages).presses(Button::kSoundLess).presses(Button::kSoundLess);
-    EXPECT_EQ(staff.count(Effect::Kind::kKeepHouse), 2) << "a visitor sets it for themselves";
+    EXPECT_EQ(staff.count<effect::KeepHouse>(), 2) << "a visitor sets it for themselves";
     staff.presses(Button::kComfortDone).waits(80.0);
     EXPECT_EQ(staff.state.screen, Screen::kAttract);
     EXPECT_EQ(staff.state.comfort.volume, 5);
-    EXPECT_EQ(staff.all.rbegin()[1], (Effect{Effect::Kind::kSetVolume, 5}));
+    EXPECT_EQ(staff.all.rbegin()[1], (Effect(effect::SetVolume{5})));
 }
 
 TEST(StaffPanel, SetsTheLanguageThatAllVisitsToComeBeginIn) {
@@ -129,10 +129,10 @@ TEST(StaffPanel, SetsTheLanguageThatAllVisitsToComeBeginIn) {
     staff.presses(Button::kStaffLanguage);
     const int next = (first + 1) % staff.rules.language_count;
     EXPECT_EQ(staff.state.comfort.language, next);
-    EXPECT_TRUE(staff.caused(Effect::Kind::kKeepHouse));
+    EXPECT_TRUE(staff.caused<effect::KeepHouse>());
     staff.presses(Button::kStaffClose).starts_to_throw();
     EXPECT_EQ(staff.state.comfort.language, next);
-    staff.presses(Button::kLanguages).does(Event::pressed(Button::kLanguage, first));
+    staff.presses(Button::kLanguages).does(event::Pressed{Button::kLanguage, first});
     EXPECT_EQ(staff.state.comfort.language, first);
     staff.presses(Button::kComfortDone).waits(80.0);
     EXPECT_EQ(staff.state.screen, Screen::kAttract);
@@ -153,7 +153,7 @@ TEST(StaffPanel, TurnsItsPagesAndTheirLists) {
 
 TEST(StaffPanel, StaysOpenOverAFaultThatTheStaffLooksInto) {
     Visitor staff = at_the_panel();
-    staff.presses(Button::kStaffPage, 3).does(Event::Kind::kFault);
+    staff.presses(Button::kStaffPage, 3).does(event::Fault{});
     EXPECT_EQ(staff.state.screen, Screen::kFault);
     EXPECT_EQ(staff.state.panel, Panel::kStaff);
     EXPECT_EQ(staff.state.staff.page, StaffPage::kDevices);

@@ -17,40 +17,40 @@ TEST_F(Kiosk, AttractsForEverWhileNobodyIsThere) {
 }
 
 TEST_F(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
-    visitor.does(Event::Kind::kInput);
+    visitor.does(event::Input{});
     EXPECT_EQ(visitor.state.screen, Screen::kChoose);
-    EXPECT_EQ(visitor.count(Effect::Kind::kVisitBegan), 1);
+    EXPECT_EQ(visitor.count<effect::VisitBegan>(), 1);
     visitor.presses(Button::kTarget, 2);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_EQ(visitor.state.throwing.target, 2);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kFreshClay));
-    visitor.does(Event::Kind::kClayTouched).waits(5.0).presses(Button::kDone);
+    EXPECT_TRUE(visitor.caused<effect::FreshClay>());
+    visitor.does(event::ClayTouched{}).waits(5.0).presses(Button::kDone);
     EXPECT_EQ(visitor.state.screen, Screen::kFiring);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kCutOff));
+    EXPECT_TRUE(visitor.caused<effect::CutOff>());
     visitor.waits(1.3);
     EXPECT_EQ(visitor.state.firing, FiringStage::kDry);
     visitor.waits(1.5);
     EXPECT_EQ(visitor.state.screen, Screen::kDecorate);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kBeginDrawing));
+    EXPECT_TRUE(visitor.caused<effect::BeginDrawing>());
     visitor.waits(20.0);
     EXPECT_EQ(visitor.state.screen, Screen::kDecorate) << "nobody is hurried";
     visitor.presses(Button::kDone);
     EXPECT_EQ(visitor.state.firing, FiringStage::kFire);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kEndDrawing));
+    EXPECT_TRUE(visitor.caused<effect::EndDrawing>());
     visitor.waits(2.5);
     EXPECT_EQ(visitor.state.screen, Screen::kGlaze);
     visitor.presses(Button::kGlaze, 4).presses(Button::kTakeGlaze);
     EXPECT_EQ(visitor.state.screen, Screen::kYourPot);
     EXPECT_EQ(visitor.state.glaze, 4);
     visitor.presses(Button::kKeep);
-    EXPECT_EQ(visitor.count(Effect::Kind::kSave), 1);
-    visitor.does(Event::Kind::kSaved, 14);
+    EXPECT_EQ(visitor.count<effect::Save>(), 1);
+    visitor.does(event::Saved{14});
     EXPECT_EQ(visitor.state.keeping.outcome, Keeping::Outcome::kKept);
     EXPECT_EQ(visitor.state.keeping.number, 14);
     visitor.presses(Button::kFinish);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
-    EXPECT_EQ(visitor.count(Effect::Kind::kVisitEnded), 1);
-    EXPECT_EQ(visitor.count(Effect::Kind::kForgetPot), 2);  // before the clay, and after the visitor
+    EXPECT_EQ(visitor.count<effect::VisitEnded>(), 1);
+    EXPECT_EQ(visitor.count<effect::ForgetPot>(), 2);  // before the clay, and after the visitor
 }
 
 TEST_F(Kiosk, DecoratesWithWhatLiesOnTheLedge) {
@@ -76,19 +76,19 @@ TEST_F(Kiosk, DecoratesWithWhatLiesOnTheLedge) {
 
 TEST_F(Kiosk, ClearsADrawingOnlyWhereThereIsOne) {
     visitor.decorates().presses(Button::kClear);
-    EXPECT_FALSE(visitor.caused(Effect::Kind::kClearDrawing));
-    visitor.does(Event::Kind::kDrawn, 1).presses(Button::kClear);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kClearDrawing));
+    EXPECT_FALSE(visitor.caused<effect::ClearDrawing>());
+    visitor.does(event::Drawn{1}).presses(Button::kClear);
+    EXPECT_TRUE(visitor.caused<effect::ClearDrawing>());
     EXPECT_TRUE(visitor.state.decorating.touched);
 }
 
 TEST_F(Kiosk, AKeysBrushStaysDownUntilItIsLiftedOrSomethingElseIsDone) {
     visitor.decorates().presses(Button::kPutBrush);
-    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Effect::Kind::kPutBrush, 1}}));
+    EXPECT_EQ(visitor.last, (std::vector<Effect>{effect::PutBrush{true}}));
     visitor.presses(Button::kHandLeft);
     EXPECT_TRUE(visitor.state.decorating.brush_down);
     visitor.presses(Button::kPutBrush);
-    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Effect::Kind::kPutBrush, 0}}));
+    EXPECT_EQ(visitor.last, (std::vector<Effect>{effect::PutBrush{false}}));
     visitor.presses(Button::kPutBrush).presses(Button::kDrawingTool, kMotifTool);
     EXPECT_FALSE(visitor.state.decorating.brush_down);
     visitor.presses(Button::kPutBrush);
@@ -106,7 +106,7 @@ TEST_F(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
 }
 
 TEST_F(Kiosk, StartsFreeThrowingForWhoeverSimplyTouchesTheClay) {
-    visitor.does(Event::Kind::kClayTouched);
+    visitor.does(event::ClayTouched{});
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_FALSE(visitor.state.throwing.target.has_value());
 }
@@ -125,7 +125,7 @@ TEST_F(Kiosk, AsksBeforeItStartsAfresh) {
 }
 
 TEST_F(Kiosk, GoesOnForAnySignOfLifeDuringTheCountdown) {
-    for (const Event::Kind sign : {Event::Kind::kInput, Event::Kind::kClayTouched}) {
+    for (const Event& sign : {Event(event::Input{}), Event(event::ClayTouched{})}) {
         visitor = Visitor();
         visitor.starts_to_throw().waits(60.0);
         ASSERT_EQ(visitor.state.panel, Panel::kIdle);
@@ -138,7 +138,7 @@ TEST_F(Kiosk, GoesOnForAnySignOfLifeDuringTheCountdown) {
 TEST_F(Kiosk, TakesNewClayFromTheCountdownWhenAsked) {
     visitor.keeps().waits(50.0).presses(Button::kFresh);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
-    EXPECT_EQ(visitor.last.back().kind, Effect::Kind::kFreshClay);
+    EXPECT_TRUE(std::holds_alternative<effect::FreshClay>(visitor.last.back()));
 }
 
 TEST_F(Kiosk, ForgetsEveryRequestOfTheVisitorBefore) {
@@ -149,16 +149,14 @@ TEST_F(Kiosk, ForgetsEveryRequestOfTheVisitorBefore) {
     const Comfort requests{
         .language = 2, .text_size = 2, .volume = 4, .reach = true, .left_hand = true, .still = true};
     EXPECT_EQ(visitor.state.comfort, requests);
-    visitor.does(Event::Kind::kProgress, kTeachingSteps);  // who has learnt it all is shown no more
+    visitor.does(event::Progress{kTeachingSteps});  // who has learnt it all is shown no more
     visitor.all.clear();
     visitor.waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
     EXPECT_EQ(visitor.state.comfort, Comfort{});
     EXPECT_EQ(visitor.state.throwing.water, Throwing{}.water);
-    const std::vector<Effect> expected{{Effect::Kind::kVisitEnded, 65},
-                                       {Effect::Kind::kForgetPot, 0},
-                                       {Effect::Kind::kSetVolume, 3},
-                                       {Effect::Kind::kStartDemo, 0}};
+    const std::vector<Effect> expected{effect::VisitEnded{65, Screen::kThrow}, effect::ForgetPot{},
+                                       effect::SetVolume{3}, effect::StartDemo{}};
     EXPECT_EQ(visitor.all, expected);
 }
 
@@ -166,27 +164,27 @@ TEST_F(Kiosk, ShowsTheSameScreenWhileTimePassesAndHandsOnlyWork) {
     visitor = Visitor(Rules{.shows_by_itself = false});
     visitor.starts_to_throw();
     const ScreenState seen = visitor.state;
-    visitor.does(Event::Kind::kClayTouched)
-        .does(Event::Kind::kHeld, 1)
+    visitor.does(event::ClayTouched{})
+        .does(event::Held{.holds = true})
         .waits(3.0)
-        .does(Event::Kind::kHeld, 0);
-    visitor.does(Event::Kind::kInput).waits(3.0);
+        .does(event::Held{.holds = false});
+    visitor.does(event::Input{}).waits(3.0);
     EXPECT_TRUE(seen == visitor.state);
-    visitor.does(Event::Kind::kProgress, 1);
+    visitor.does(event::Progress{1});
     EXPECT_FALSE(seen == visitor.state);
 }
 
 TEST_F(Kiosk, ShowsTheGhostUntilTheVisitorActsAndAgainWhenNothingComesOfIt) {
     visitor.starts_to_throw();
     EXPECT_TRUE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
-    visitor.waits(1.0).does(Event::Kind::kClayTouched);
+    visitor.waits(1.0).does(event::ClayTouched{});
     EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
     visitor.waits(6.1);
     EXPECT_TRUE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
-    visitor.does(Event::Kind::kClayTouched).does(Event::Kind::kProgress, 1);
+    visitor.does(event::ClayTouched{}).does(event::Progress{1});
     EXPECT_EQ(visitor.state.throwing.steps_done, 1);
     EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
-    visitor.does(Event::Kind::kProgress, 3).waits(20.0);
+    visitor.does(event::Progress{3}).waits(20.0);
     EXPECT_FALSE(shows_hint(visitor.state, visitor.now_s, visitor.rules)) << "there is nothing left to teach";
 }
 
@@ -200,7 +198,7 @@ TEST_F(Kiosk, LooksIntoThePotAndOutAgain) {
 }
 
 TEST_F(Kiosk, WalksAlongTheShelfAsFarAsThereArePots) {
-    visitor.does(Event::Kind::kInput).presses(Button::kShelfBefore, -4);
+    visitor.does(event::Input{}).presses(Button::kShelfBefore, -4);
     EXPECT_EQ(visitor.state.shelf_first, 0);
     visitor.presses(Button::kShelfNext, 2);
     EXPECT_EQ(visitor.state.shelf_first, 2);
@@ -211,7 +209,7 @@ TEST_F(Kiosk, WalksAlongTheShelfAsFarAsThereArePots) {
 }
 
 TEST_F(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
-    visitor.does(Event::Kind::kInput).presses(Button::kCard, 2);
+    visitor.does(event::Input{}).presses(Button::kCard, 2);
     EXPECT_EQ(visitor.state.panel, Panel::kCard);
     EXPECT_EQ(visitor.state.card, 2);
     visitor.presses(Button::kCardClose);
@@ -223,12 +221,12 @@ TEST_F(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_EQ(visitor.state.throwing.target, 2);
     Visitor reader;
-    reader.does(Event::Kind::kInput).presses(Button::kCard, 2).waits(300.0);
+    reader.does(event::Input{}).presses(Button::kCard, 2).waits(300.0);
     EXPECT_EQ(reader.state.screen, Screen::kAttract) << "nobody reads any more";
 }
 
 TEST_F(Kiosk, NeverTeachesBackwards) {
-    visitor.starts_to_throw().does(Event::Kind::kProgress, 2).does(Event::Kind::kProgress, 1);
+    visitor.starts_to_throw().does(event::Progress{2}).does(event::Progress{1});
     EXPECT_EQ(visitor.state.throwing.steps_done, 2);
 }
 
@@ -242,32 +240,32 @@ TEST_F(Kiosk, KeepsTheSettingsWithinTheirSteps) {
 }
 
 TEST_F(Kiosk, ForgivesACollapse) {
-    visitor.starts_to_throw().does(Event::Kind::kWarned, static_cast<int>(Warning::kThin));
+    visitor.starts_to_throw().does(event::Warned{Warning::kThin});
     EXPECT_EQ(visitor.state.throwing.warning, Warning::kThin);
-    visitor.does(Event::Kind::kCollapsed);
+    visitor.does(event::Collapsed{});
     EXPECT_EQ(visitor.state.screen, Screen::kFailure);
     visitor.presses(Button::kBeforeCollapse);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_EQ(visitor.state.throwing.warning, Warning::kNone);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kBeforeCollapse));
-    visitor.does(Event::Kind::kCollapsed).presses(Button::kKeepSlump);
+    EXPECT_TRUE(visitor.caused<effect::BeforeCollapse>());
+    visitor.does(event::Collapsed{}).presses(Button::kKeepSlump);
     EXPECT_EQ(visitor.state.screen, Screen::kFiring);
 }
 
 TEST_F(Kiosk, SlowsTheWheelThatSpunThePotApart) {
     visitor.starts_to_throw().presses(Button::kSpeedMore).presses(Button::kSpeedMore);
-    visitor.does(Event::Kind::kCollapsed, static_cast<int>(Warning::kFast)).presses(Button::kBeforeCollapse);
+    visitor.does(event::Collapsed{Warning::kFast}).presses(Button::kBeforeCollapse);
     EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed);
-    visitor.does(Event::Kind::kCollapsed, static_cast<int>(Warning::kFast)).presses(Button::kBeforeCollapse);
+    visitor.does(event::Collapsed{Warning::kFast}).presses(Button::kBeforeCollapse);
     EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed - 1);
-    visitor.does(Event::Kind::kCollapsed, static_cast<int>(Warning::kThin)).presses(Button::kBeforeCollapse);
+    visitor.does(event::Collapsed{Warning::kThin}).presses(Button::kBeforeCollapse);
     EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed - 1) << "by no fault of the wheel's";
 }
 
 TEST_F(Kiosk, SaysWhatThePotGaveWayBy) {
     for (const Warning cause : {Warning::kThin, Warning::kWet, Warning::kFast}) {
         visitor = Visitor();
-        visitor.starts_to_throw().does(Event::Kind::kCollapsed, static_cast<int>(cause));
+        visitor.starts_to_throw().does(event::Collapsed{cause});
         EXPECT_EQ(visitor.state.throwing.collapse, cause);
         visitor.presses(Button::kNewClay);
         EXPECT_EQ(visitor.state.throwing.collapse, Warning::kNone) << "new clay has not given way";
@@ -278,24 +276,24 @@ TEST_F(Kiosk, SaysThatTheShelfIsFullAndStaysUsable) {
     visitor.keeps();
     visitor.presses(Button::kFinish);
     EXPECT_EQ(visitor.state.screen, Screen::kKeep) << "not before the pot is known to be safe";
-    visitor.does(Event::Kind::kSaveFailed);
+    visitor.does(event::SaveFailed{});
     EXPECT_EQ(visitor.state.keeping.outcome, Keeping::Outcome::kFull);
     visitor.presses(Button::kAnother);
     EXPECT_EQ(visitor.state.screen, Screen::kChoose);
 }
 
 TEST_F(Kiosk, GoesOnWhenAHandControlIsUnplugged) {
-    visitor.starts_to_throw().does(Event::Kind::kDeviceLost);
+    visitor.starts_to_throw().does(event::Device{.is_there = false});
     EXPECT_TRUE(visitor.state.device_lost);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     visitor.waits(70.0);
     EXPECT_TRUE(visitor.state.device_lost) << "the next visitor has none either";
-    visitor.does(Event::Kind::kDeviceBack);
+    visitor.does(event::Device{.is_there = true});
     EXPECT_FALSE(visitor.state.device_lost);
 }
 
 TEST_F(Kiosk, GoesOnThrowingWhileTheForceRests) {
-    visitor.starts_to_throw().does(Event::Kind::kClayTouched).does(Event::Kind::kForceRests);
+    visitor.starts_to_throw().does(event::ClayTouched{}).does(event::Force{.rests = true});
     EXPECT_TRUE(visitor.state.force_rests);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     visitor.presses(Button::kDone).presses(Button::kSkip).presses(Button::kDone).presses(Button::kSkip);
@@ -303,7 +301,7 @@ TEST_F(Kiosk, GoesOnThrowingWhileTheForceRests) {
     visitor.waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
     EXPECT_TRUE(visitor.state.force_rests) << "it rests for the next visitor too";
-    visitor.does(Event::Kind::kForceBack);
+    visitor.does(event::Force{.rests = false});
     EXPECT_FALSE(visitor.state.force_rests);
 }
 
@@ -321,56 +319,56 @@ TEST_F(Kiosk, ShowsTheForcesToWhoAsksUntilTheVisitEnds) {
 }
 
 TEST_F(Kiosk, RestsWhileTheWheelCannotWork) {
-    visitor.starts_to_throw().does(Event::Kind::kFault);
+    visitor.starts_to_throw().does(event::Fault{});
     EXPECT_EQ(visitor.state.screen, Screen::kFault);
-    visitor.does(Event::Kind::kInput).presses(Button::kFree).presses(Button::kLanguages).waits(200.0);
+    visitor.does(event::Input{}).presses(Button::kFree).presses(Button::kLanguages).waits(200.0);
     EXPECT_EQ(visitor.state.screen, Screen::kFault);
     EXPECT_EQ(visitor.state.panel, Panel::kNone);
-    visitor.does(Event::Kind::kFaultOver);
+    visitor.does(event::FaultOver{});
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
 }
 
 TEST_F(Kiosk, OffersAPotThatWasLeftWhenThePowerWent) {
-    visitor.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput);
+    visitor.does(event::InterruptedSession{}).does(event::Input{});
     EXPECT_EQ(visitor.state.screen, Screen::kResume);
     visitor.presses(Button::kResumeGo);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kResume));
-    EXPECT_FALSE(visitor.caused(Effect::Kind::kFreshClay));
+    EXPECT_TRUE(visitor.caused<effect::Resume>());
+    EXPECT_FALSE(visitor.caused<effect::FreshClay>());
 
     Visitor other;
-    other.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput).presses(Button::kResumeFresh);
-    EXPECT_TRUE(other.caused(Effect::Kind::kDropInterrupted));
+    other.does(event::InterruptedSession{}).does(event::Input{}).presses(Button::kResumeFresh);
+    EXPECT_TRUE(other.caused<effect::DropInterrupted>());
     EXPECT_FALSE(other.state.interrupted_session);
 }
 
 TEST_F(Kiosk, OffersALeftPotUntilSomebodyHasDecided) {
-    visitor.does(Event::Kind::kInterruptedSession).does(Event::Kind::kInput).waits(70.0);
+    visitor.does(event::InterruptedSession{}).does(event::Input{}).waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract) << "who was asked went away";
-    EXPECT_FALSE(visitor.caused(Effect::Kind::kDropInterrupted));
-    visitor.does(Event::Kind::kInput);
+    EXPECT_FALSE(visitor.caused<effect::DropInterrupted>());
+    visitor.does(event::Input{});
     EXPECT_EQ(visitor.state.screen, Screen::kResume);
     visitor.waits(46.0);
     EXPECT_EQ(visitor.state.panel, Panel::kIdle);
     visitor.presses(Button::kFresh);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kDropInterrupted)) << "new clay is an answer";
+    EXPECT_TRUE(visitor.caused<effect::DropInterrupted>()) << "new clay is an answer";
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_FALSE(visitor.state.interrupted_session);
 }
 
 TEST_F(Kiosk, ClosesAsAnyWindowUnlessItIsLocked) {
-    visitor.does(Event::Kind::kCloseAsked);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kQuit));
+    visitor.does(event::CloseAsked{});
+    EXPECT_TRUE(visitor.caused<effect::Quit>());
     Visitor locked(Rules{.locked = true});
-    locked.does(Event::Kind::kCloseAsked);
-    EXPECT_FALSE(locked.caused(Effect::Kind::kQuit));
+    locked.does(event::CloseAsked{});
+    EXPECT_FALSE(locked.caused<effect::Quit>());
 }
 
 TEST_F(Kiosk, OpensTheStaffPanelForTheRightPinOnly) {
     visitor = Visitor(Rules{.locked = true, .pin = 472, .pin_digits = 4});  // 0472
     visitor.presses(Button::kDigit, 1);
     EXPECT_EQ(visitor.state.panel, Panel::kNone) << "there is no keypad before the corner was held";
-    visitor.does(Event::Kind::kCornerHeld);
+    visitor.does(event::CornerHeld{});
     EXPECT_EQ(visitor.state.panel, Panel::kPin);
     for (const int digit : {0, 4, 7, 1})
         visitor.presses(Button::kDigit, digit);
@@ -382,13 +380,13 @@ TEST_F(Kiosk, OpensTheStaffPanelForTheRightPinOnly) {
 }
 
 TEST_F(Kiosk, HasNoStaffPanelWithoutAPin) {
-    visitor.does(Event::Kind::kCornerHeld);
+    visitor.does(event::CornerHeld{});
     EXPECT_EQ(visitor.state.panel, Panel::kNone);
 }
 
 TEST_F(Kiosk, LocksTheStaffPanelWhenItIsLeftAlone) {
     visitor = Visitor(Rules{.pin = 1234, .pin_digits = 4});
-    visitor.does(Event::Kind::kCornerHeld);
+    visitor.does(event::CornerHeld{});
     for (const int digit : {1, 2, 3, 4})
         visitor.presses(Button::kDigit, digit);
     visitor.waits(100.0).presses(Button::kStaffPage, 2).waits(100.0);

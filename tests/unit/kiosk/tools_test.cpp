@@ -7,8 +7,6 @@
 namespace onggi::kiosk {
 namespace {
 
-using Kind = Event::Kind;
-
 int number(Held held) {
     return static_cast<int>(held);
 }
@@ -43,42 +41,45 @@ TEST(Tools, AreTakenByTheirKeysWithoutATray) {
 
 TEST(Tools, TheTrayClosesUnderAHandThatTouchesTheClay) {
     Visitor visitor;
-    visitor.starts_to_throw().presses(Button::kTools).does(Kind::kClayTouched);
+    visitor.starts_to_throw().presses(Button::kTools).does(event::ClayTouched{});
     EXPECT_FALSE(visitor.state.throwing.tray);
     EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
 }
 
 TEST(Tools, TheTrayStaysOpenUnderATouchThatHadBegunBefore) {
     Visitor visitor;
-    visitor.starts_to_throw().does(Kind::kClayTouched).presses(Button::kTools).does(Kind::kClayTouched, 1);
+    visitor.starts_to_throw()
+        .does(event::ClayTouched{})
+        .presses(Button::kTools)
+        .does(event::ClayTouched{.goes_on = true});
     EXPECT_TRUE(visitor.state.throwing.tray);
-    visitor.does(Kind::kClayTouched);
+    visitor.does(event::ClayTouched{});
     EXPECT_FALSE(visitor.state.throwing.tray) << "another one";
 }
 
 TEST(Tools, TheWireCutsOnceAndIsLaidBack) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kCut);
-    EXPECT_FALSE(visitor.caused(Effect::Kind::kCutRim)) << "nobody holds it";
+    EXPECT_FALSE(visitor.caused<effect::CutRim>()) << "nobody holds it";
     visitor.presses(Button::kTakeTool, number(Held::kWire));
     EXPECT_EQ(spoken_key(visitor.state), "wire.how");
     visitor.presses(Button::kCut);
-    EXPECT_EQ(visitor.last, (std::vector<Effect>{{Effect::Kind::kCutRim, 0}}));
+    EXPECT_EQ(visitor.last, (std::vector<Effect>{effect::CutRim{}}));
     EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
     visitor.presses(Button::kCut);
-    EXPECT_EQ(visitor.count(Effect::Kind::kCutRim), 1);
+    EXPECT_EQ(visitor.count<effect::CutRim>(), 1);
     visitor.presses(Button::kUndo);
-    EXPECT_TRUE(visitor.caused(Effect::Kind::kUndo));
+    EXPECT_TRUE(visitor.caused<effect::Undo>());
 }
 
 TEST(Tools, TheSpongeDriesTheHandsByADotATurn) {
     Visitor visitor;
     visitor.starts_to_throw();
     const int water = visitor.state.throwing.water;
-    visitor.presses(Button::kTakeTool, number(Held::kSponge)).does(Kind::kSoaked);
+    visitor.presses(Button::kTakeTool, number(Held::kSponge)).does(event::Soaked{});
     EXPECT_EQ(visitor.state.throwing.water, water - 1);
     for (int turn = 0; turn < 9; ++turn)
-        visitor.does(Kind::kSoaked);
+        visitor.does(event::Soaked{});
     EXPECT_EQ(visitor.state.throwing.water, 1);
     visitor.presses(Button::kWaterMore);
     EXPECT_EQ(visitor.state.throwing.water, 2);
@@ -97,18 +98,18 @@ TEST(Tools, AreLaidDownForNewClayAndForThePotThatIsDone) {
 TEST(Tools, TheWheelShowsWhatIsHeldOrWithTheWireTheLesson) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kTakeTool, number(Held::kRib)).presses(Button::kShowMe);
-    EXPECT_EQ(visitor.state.throwing.shown, kTeachingSteps);
+    EXPECT_EQ(visitor.state.throwing.shown, ShownStep::kDrawTool);
     EXPECT_EQ(visitor.state.throwing.held, Held::kRib);
     visitor.presses(Button::kMyTurn).presses(Button::kTakeTool, number(Held::kWire)).presses(Button::kShowMe);
-    EXPECT_EQ(visitor.state.throwing.shown, 0);
+    EXPECT_EQ(visitor.state.throwing.shown, ShownStep::kPress);
     EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
 }
 
 TEST(Tools, NobodyIsShownTheLessonWithAToolInTheHandOrTheTrayBefore) {
-    for (const Event& event : {Event::pressed(Button::kTakeTool, 1), Event::pressed(Button::kTools)}) {
+    for (const auto& press : {event::Pressed{Button::kTakeTool, 1}, event::Pressed{Button::kTools}}) {
         Visitor visitor;
-        visitor.starts_to_throw().does(event).waits(30.0);
-        EXPECT_FALSE(visitor.caused(Effect::Kind::kShowStep));
+        visitor.starts_to_throw().does(press).waits(30.0);
+        EXPECT_FALSE(visitor.caused<effect::ShowStep>());
     }
 }
 

@@ -168,7 +168,7 @@ void KioskHand::ask_for(const WaitingKey& key) {
     if (waiting_.size() < kMostWaiting) waiting_.push_back(key);
 }
 
-void KioskHand::show(ShownStep step, const pot::Pot& shape, double side) {
+void KioskHand::show(kiosk::ShownStep step, const pot::Pot& shape, double side) {
     take_over();
     shows_ = true;
     ++touches_;

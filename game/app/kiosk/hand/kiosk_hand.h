@@ -69,7 +69,7 @@ class KioskHand {
     void button(HandKey key, double side) { ask_for({key, true, side}); }
 
     // Plays a step of the lesson on the current clay. Any finger, key, button or gamepad takes over.
-    void show(ShownStep step, const pot::Pot& shape, double side);
+    void show(kiosk::ShownStep step, const pot::Pot& shape, double side);
     void stop_showing();
     [[nodiscard]] bool shows() const { return shows_ && touch_.runs(); }
 

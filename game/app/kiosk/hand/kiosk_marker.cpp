@@ -97,7 +97,7 @@ TouchPath KioskMarker::button(HandKey key, const pot::Pot& shape, double side) {
         case HandKey::kUp:
             return pull_path(shape, side_, kSwitchPullMm);
         case HandKey::kDown:
-            return is_solid(shape) ? path_of_step(ShownStep::kOpen, shape, side_)
+            return is_solid(shape) ? path_of_step(kiosk::ShownStep::kOpen, shape, side_)
                                    : lower_path(shape, side_, kLowerMm);
         case HandKey::kLeft:
             return move_wall(-1.0, shape);

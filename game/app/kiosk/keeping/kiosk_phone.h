@@ -86,11 +86,11 @@ struct PotToShare {
 };
 
 struct PhoneAnswer {
-    // What became of a pot's code: kShared, kShareFailed or kShareOver.
+    // What became of a pot's code.
     struct OfPot {
-        kiosk::Event::Kind event = kiosk::Event::Kind::kShared;
+        kiosk::ShareOutcome outcome = kiosk::ShareOutcome::kReady;
         std::string gallery_name;
-        std::shared_ptr<const screens::PhoneWay> way{};  // of kShared
+        std::shared_ptr<const screens::PhoneWay> way{};  // if it is ready
     };
     struct Survey {
         std::vector<SharedPotNote> shared{};  // the newest first

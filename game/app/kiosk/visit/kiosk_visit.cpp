@@ -13,7 +13,6 @@
 namespace onggi::app {
 namespace {
 
-using kiosk::Event;
 using kiosk::Panel;
 using kiosk::Screen;
 
@@ -56,11 +55,11 @@ void KioskVisit::warn(const std::string& line) {
     if (const auto words = log_.say(line, now_s_)) app::warn(*words);
 }
 
-void KioskVisit::dispatch(const Event& event) {
+void KioskVisit::dispatch(const kiosk::Event& event) {
     assert(moment_ != nullptr);
     const Screen before = state_.screen;
     for (const kiosk::Effect& effect : kiosk::step(state_, event, now_s_, parts_.settings.rules))
-        effects_.apply(effect, *moment_, before);
+        effects_.apply(effect, *moment_);
     const bool is_idle = state_.screen == Screen::kAttract;
     if (is_idle == (before == Screen::kAttract)) return;
     static_cast<void>(parts_.job.send(is_idle ? haptic::Command::kLetGo : haptic::Command::kTakeHold));
@@ -78,7 +77,7 @@ Result<void> KioskVisit::frame(double now_s) {
                              .snapshot = parts_.job.newest_snapshot()};
     moment_ = &moment;
     desk_.see_frame(now_s, kMsPerS * frame_s, moment.snapshot);
-    dispatch({Event::Kind::kTick});
+    dispatch(kiosk::event::Tick{});
     input_.take(moment);
     wheel_.take_clay(moment.snapshot);
     trim_.look(moment.snapshot);

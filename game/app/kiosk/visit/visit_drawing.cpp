@@ -302,8 +302,7 @@ void VisitDrawing::dress() {
 
 void VisitDrawing::tell() {
     is_to_be_kept_ = true;
-    flow_.dispatch(
-        {kiosk::Event::Kind::kDrawn, Button::kNone, static_cast<int>(work_->canvas.strokes().size())});
+    flow_.dispatch(kiosk::event::Drawn{static_cast<int>(work_->canvas.strokes().size())});
 }
 
 void VisitDrawing::pass(double dt_s) {

@@ -7,10 +7,12 @@
 #include "game/app/kiosk/visit/bench_tools.h"
 
 namespace onggi::app {
+
+namespace event = kiosk::event;
+
 namespace {
 
 using kiosk::Button;
-using kiosk::Event;
 using kiosk::Panel;
 using kiosk::Screen;
 
@@ -89,11 +91,11 @@ bool VisitInput::take_drawing(const PointerNews& news) {
     switch (news.kind) {
         case PointerNews::Kind::kHandDown:
             keys_lead_ = false;
-            flow_.dispatch({Event::Kind::kInput});
+            flow_.dispatch(event::Input{});
             drawing_.press(news.at_px);
             return true;
         case PointerNews::Kind::kHandMoved:
-            flow_.dispatch({Event::Kind::kInput});
+            flow_.dispatch(event::Input{});
             drawing_.drag(news.at_px);
             return true;
         case PointerNews::Kind::kHandUp:
@@ -105,10 +107,10 @@ bool VisitInput::take_drawing(const PointerNews& news) {
             return true;
         case PointerNews::Kind::kNudged:
             pointer_.leave_ring();
-            flow_.dispatch(Event::pressed(news.button));
+            flow_.dispatch(event::Pressed{news.button});
             return true;
         case PointerNews::Kind::kPutDown:
-            flow_.dispatch(Event::pressed(Button::kPutBrush));
+            flow_.dispatch(event::Pressed{Button::kPutBrush});
             return true;
         default:
             return false;
@@ -119,7 +121,7 @@ bool VisitInput::take_drawing(const PointerNews& news) {
 bool VisitInput::pick_up(vec2 px) {
     if (!clay_is_open(flow_.state()) || flow_.state().screen != Screen::kThrow) return false;
     const auto held = bench_tool_at(bench_tools(parts_, flow_.state()), px);
-    if (held) flow_.dispatch(Event::pressed(Button::kTakeTool, static_cast<int>(*held)));
+    if (held) flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(*held)});
     return held.has_value();
 }
 
@@ -133,24 +135,24 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kNone:
             break;
         case PointerNews::Kind::kLife:
-            flow_.dispatch({Event::Kind::kInput, Button::kNone, news.value});
+            flow_.dispatch(event::Input{.by_key = news.value == 1});
             break;
         case PointerNews::Kind::kPressed:
-            flow_.dispatch(Event::pressed(news.button, news.value));
+            flow_.dispatch(event::Pressed{news.button, news.value});
             break;
         case PointerNews::Kind::kHandDown:
             if (pick_up(news.at_px)) break;
             if (hand_is_open(flow_.state())) {
                 keys_lead_ = false;
-                flow_.dispatch({Event::Kind::kClayTouched});
+                flow_.dispatch(event::ClayTouched{});
                 if (const auto place = hand_place(news.at_px)) hand_.press(*place);
             } else {
-                flow_.dispatch({Event::Kind::kInput});
+                flow_.dispatch(event::Input{});
             }
             break;
         case PointerNews::Kind::kHandMoved:
             if (!scene_is_open) break;
-            flow_.dispatch({Event::Kind::kInput});
+            flow_.dispatch(event::Input{});
             if (const auto place = hand_place(news.at_px)) hand_.drag(*place);
             break;
         case PointerNews::Kind::kHandUp:
@@ -165,17 +167,17 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             break;
         case PointerNews::Kind::kNudged:
             if (flow_.state().screen == Screen::kJoin && flow_.state().panel == Panel::kNone)
-                flow_.dispatch(Event::pressed(news.button));
+                flow_.dispatch(event::Pressed{news.button});
             if (!hand_is_open(flow_.state())) break;
-            flow_.dispatch({Event::Kind::kClayTouched});
+            flow_.dispatch(event::ClayTouched{});
             keys_lead_ = true;
             hand_.key(hand_key(upright(news.button, flow_.state())), side_of(flow_.state()));
             break;
         case PointerNews::Kind::kCornerHeld:
-            flow_.dispatch({Event::Kind::kCornerHeld});
+            flow_.dispatch(event::CornerHeld{});
             break;
         case PointerNews::Kind::kCloseAsked:
-            flow_.dispatch({Event::Kind::kCloseAsked});
+            flow_.dispatch(event::CloseAsked{});
             break;
         case PointerNews::Kind::kStopForce:
             parts_.job.stop_force();
@@ -205,14 +207,13 @@ void VisitInput::take_devices() {
     for (const std::string& line : parts_.devices.news())
         flow_.say(line);
     const bool has_device = parts_.devices.has_hand();
-    if (has_device != had_device_)
-        flow_.dispatch({has_device ? Event::Kind::kDeviceBack : Event::Kind::kDeviceLost});
+    if (has_device != had_device_) flow_.dispatch(event::Device{.is_there = has_device});
     had_device_ = has_device;
     // Another hand has the tool now: what the finger does from here on is another touch.
     const std::string holder = parts_.devices.holder();
     if (!holder.empty() && holder != holder_) hand_.release();
     holder_ = holder;
-    if (parts_.devices.somebody_moved()) flow_.dispatch({Event::Kind::kInput});
+    if (parts_.devices.somebody_moved()) flow_.dispatch(event::Input{});
 }
 
 void VisitInput::take_gamepads(const VisitMoment& moment) {
@@ -226,17 +227,17 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
         pointer_.handle(key, moment.now_s, all);
     for (const PointerNews& news : all)
         take_news(news, moment.now_s);
-    if (request.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
+    if (request.is_used && keys.empty()) flow_.dispatch(event::Input{});
     if (!hand_is_open(flow_.state())) return;
-    if (request.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
+    if (request.is_for_clay) flow_.dispatch(event::ClayTouched{});
     const double up = flow_.state().screen == Screen::kTrim ? -1.0 : 1.0;
     hand_.steer(request.step_mm * dvec2(1.0, up), request.presses, *moment.snapshot.pot,
                 side_of(flow_.state()));
-    if (request.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
-    if (request.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
-    if (request.speed_steps > 0.5) flow_.dispatch(Event::pressed(Button::kSpeedMore));
-    if (request.speed_steps < -0.5) flow_.dispatch(Event::pressed(Button::kSpeedLess));
-    if (request.fresh_lump) flow_.dispatch(Event::pressed(Button::kNewClay));
+    if (request.radius_steps > 0.5) flow_.dispatch(event::Pressed{Button::kToolMore});
+    if (request.radius_steps < -0.5) flow_.dispatch(event::Pressed{Button::kToolLess});
+    if (request.speed_steps > 0.5) flow_.dispatch(event::Pressed{Button::kSpeedMore});
+    if (request.speed_steps < -0.5) flow_.dispatch(event::Pressed{Button::kSpeedLess});
+    if (request.fresh_lump) flow_.dispatch(event::Pressed{Button::kNewClay});
 }
 
 }  // namespace onggi::app

@@ -46,7 +46,7 @@ void VisitJar::look(const haptic::Snapshot& snapshot) {
     const bool is_open = shape.can_be_hollow() && !shape.inner_mm.empty() && shape.inner_mm.back() > 0.0F;
     const bool is_bowl = is_open && shape.height_mm >= least_mm;
     if (is_bowl == jar.is_bowl) return;
-    flow_.dispatch({kiosk::Event::Kind::kBowl, kiosk::Button::kNone, is_bowl ? 1 : 0});
+    flow_.dispatch(kiosk::event::Bowl{is_bowl});
 }
 
 std::string VisitJar::target_id() const {

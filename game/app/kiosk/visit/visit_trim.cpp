@@ -25,7 +25,7 @@ void VisitTrim::look(const haptic::Snapshot& snapshot) {
     const double taken_g = (begun_mm3_ - snapshot.on_wheel_mm3) * clay::studio::kDensityGPerMm3;
     const int grams = static_cast<int>(std::lround(std::max(0.0, taken_g)));
     if (grams == flow_.state().trimming.taken_g) return;
-    flow_.dispatch({kiosk::Event::Kind::kTrimmed, kiosk::Button::kNone, grams});
+    flow_.dispatch(kiosk::event::Trimmed{grams});
 }
 
 dvec2 VisitTrim::turned(const dvec2& place_mm) const {

@@ -6,6 +6,9 @@
 #include "game/haptic/tools.h"
 
 namespace onggi::app {
+
+namespace event = kiosk::event;
+
 namespace {
 
 constexpr double kSunkFraction = 0.8;     // of the height at which it still stood
@@ -17,8 +20,6 @@ double widest_mm(const pot::Pot& shape) {
     return outer.empty() ? 0.0 : 2.0 * double{*std::max_element(outer.begin(), outer.end())};
 }
 
-using kiosk::Button;
-using kiosk::Event;
 using kiosk::Panel;
 using kiosk::Screen;
 
@@ -137,24 +138,24 @@ void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
     if (flow_.state().screen == Screen::kChoose && flow_.state().panel == Panel::kNone && touches &&
         !parts_.devices.holder().empty()) {
-        flow_.dispatch({Event::Kind::kClayTouched});
+        flow_.dispatch(event::ClayTouched{});
         return;
     }
     if (flow_.state().screen != Screen::kThrow) return;
     // What the wheel's own hands do is not the visitor's touch.
     const bool holds = parts_.devices.holder().empty() ? hand_.works() && !hand_.shows() : touches;
     const bool held = flow_.state().pace.held;
-    if (touches && holds) flow_.dispatch({Event::Kind::kClayTouched, Button::kNone, held ? 1 : 0});
-    if (holds != held) flow_.dispatch({Event::Kind::kHeld, Button::kNone, holds ? 1 : 0});
-    if (flow_.state().throwing.shown && !hand_.shows()) flow_.dispatch({Event::Kind::kShowOver});
+    if (touches && holds) flow_.dispatch(event::ClayTouched{.goes_on = held});
+    if (holds != held) flow_.dispatch(event::Held{holds});
+    if (flow_.state().throwing.shown && !hand_.shows()) flow_.dispatch(event::ShowOver{});
     const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);
     clay_is_there_ = news.has_value();
     if (!news) return;
-    flow_.dispatch({Event::Kind::kProgress, Button::kNone, news->steps_done});
-    flow_.dispatch({Event::Kind::kWarned, Button::kNone, static_cast<int>(news->warning)});
+    flow_.dispatch(event::Progress{news->steps_done});
+    flow_.dispatch(event::Warned{news->warning});
     if (!news->gave_way) return;
     hand_.release();
-    flow_.dispatch({Event::Kind::kCollapsed, Button::kNone, static_cast<int>(*news->gave_way)});
+    flow_.dispatch(event::Collapsed{*news->gave_way});
 }
 
 void VisitWheel::take_fault(const VisitMoment& moment) {
@@ -166,17 +167,17 @@ void VisitWheel::take_fault(const VisitMoment& moment) {
         } else {
             flow_.say("kiosk: the hand has its force again");
         }
-        flow_.dispatch({advice.force_rests ? Event::Kind::kForceRests : Event::Kind::kForceBack});
+        flow_.dispatch(event::Force{.rests = advice.force_rests});
     }
     if (advice.wheel_rests && flow_.state().screen != Screen::kFault) {
         flow_.warn("kiosk: the clay's force is no number; the wheel rests");
-        flow_.dispatch({Event::Kind::kFault});
+        flow_.dispatch(event::Fault{});
     }
     if (advice.take_back && advice.wheel_rests) put_fresh_clay();
     if (advice.take_back) rearm_force();
     // Not under the staff's eyes.
     if (!advice.wheel_rests && flow_.state().screen == Screen::kFault && flow_.state().panel == Panel::kNone)
-        flow_.dispatch({Event::Kind::kFaultOver});
+        flow_.dispatch(event::FaultOver{});
 }
 
 void VisitWheel::move_hand(const VisitMoment& moment) {
@@ -211,7 +212,7 @@ void VisitWheel::soak(const VisitMoment& moment) {
     soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
     if (soaked_rad_ < kTurn) return;
     soaked_rad_ = 0.0;
-    flow_.dispatch({Event::Kind::kSoaked});
+    flow_.dispatch(event::Soaked{});
 }
 
 }  // namespace onggi::app
