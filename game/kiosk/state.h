@@ -1,9 +1,8 @@
-// The state of a visit: one plain value, which step() advances. Main thread, or a test's thread. Times are
-// seconds of the caller's monotonic clock.
+// The state of a visit: one plain value, which visit::advance() takes on. Main thread, or a test's thread.
+// Times are seconds of the caller's monotonic clock.
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 namespace onggi::kiosk {
 
@@ -231,16 +230,5 @@ struct State : ScreenState {
     bool interrupted_session = false;                 // an interrupted pot can be resumed
     std::optional<InterruptedJar> interrupted_jar{};  // empty: an ordinary pot
 };
-
-// A one-word name for titles and logs: "attract".
-[[nodiscard]] std::string_view name_of(Screen screen);
-[[nodiscard]] std::string_view name_of(Panel panel);  // empty for kNone
-[[nodiscard]] std::string_view name_of(Held held);    // empty for the bare hand
-
-// Whole seconds left of the idle panel's countdown.
-[[nodiscard]] int seconds_left(const State& state, double countdown_s, double now_s);
-
-// Whole seconds until a PIN digit is accepted again; 0: now.
-[[nodiscard]] int pin_seconds_left(const State& state, double now_s);
 
 }  // namespace onggi::kiosk

@@ -109,6 +109,7 @@ class Page {
 
     // The rect mirrored when the screen is (ledge: also by left hand).
     [[nodiscard]] ui::Rect mirrored(const ui::Rect& rect) const;
+    [[nodiscard]] float mirrored(float x) const { return right_to_left() ? width() - x : x; }
     [[nodiscard]] ui::Rect on_ledge(const ui::Rect& rect) const;
 
     void covers() { composition_.covers = true; }

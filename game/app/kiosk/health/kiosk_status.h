@@ -13,7 +13,7 @@ namespace onggi::app {
 
 // What the main thread knows of the program at a moment.
 struct KioskPulse {
-    std::string screen{};               // as kiosk::name_of() says it
+    std::string screen{};               // the name of its visit::Step
     bool is_closed = false;             // the opening hours are over, and nobody is there
     std::string fault{};                // latched by the safety chain, in words; empty: none
     std::uint64_t faults = 0;           // since the start

@@ -22,7 +22,7 @@
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/haptic/history.h"
 #include "game/haptic/job.h"
-#include "game/kiosk/step.h"
+#include "game/kiosk/events.h"
 #include "game/screens/page/view.h"
 #include "game/screens/pots/pot_picture.h"
 

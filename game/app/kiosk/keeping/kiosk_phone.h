@@ -21,7 +21,7 @@
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/decoration/canvas.h"
-#include "game/kiosk/step.h"
+#include "game/kiosk/events.h"
 #include "game/screens/page/view.h"
 #include "game/sharing/open_counter.h"
 #include "game/sharing/outbox.h"

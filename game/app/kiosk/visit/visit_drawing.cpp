@@ -7,6 +7,7 @@
 
 #include "engine/jobs/thread_setup.h"
 #include "game/app/replay/session_marks.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
 namespace {
@@ -309,7 +310,7 @@ void VisitDrawing::pass(double dt_s) {
     constexpr double kTurnS = 10.0;
     const kiosk::Screen screen = flow_.state().screen;
     if (screen == kiosk::Screen::kGlaze && work_) put_away();  // fired: what it came to goes with the pot
-    if (!drawing_is_open(flow_.state())) {
+    if (visit::open_finger(flow_.state()) != visit::Finger::kBrush) {
         release();
         put_brush(false);
         return;
@@ -334,7 +335,7 @@ void VisitDrawing::show(wheel::WheelView& shown) const {
 std::vector<vec2> VisitDrawing::ring(bool keys_lead) const {
     constexpr int kPoints = 40;
     constexpr double kLeastMm = 3.0;
-    if (!work_ || finger_px_ || !drawing_is_open(flow_.state())) return {};
+    if (!work_ || finger_px_ || visit::open_finger(flow_.state()) != visit::Finger::kBrush) return {};
     const auto place = keys_lead ? place_of_dot() : hover_px_ ? place_at(*hover_px_) : std::nullopt;
     if (!place) return {};
     const decoration::Wall& wall = work_->canvas.wall();

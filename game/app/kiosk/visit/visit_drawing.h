@@ -16,11 +16,6 @@
 
 namespace onggi::app {
 
-// The visitor sees the pot, and a touch draws on it.
-[[nodiscard]] inline bool drawing_is_open(const kiosk::State& state) {
-    return state.panel == kiosk::Panel::kNone && state.screen == kiosk::Screen::kDecorate;
-}
-
 // A stroke without points, of the way that is chosen on the ledge. round_mm: how far round the pot is where
 // it begins; height_mm: of its wall.
 [[nodiscard]] decoration::Stroke stroke_of(const kiosk::Decorating& decorating, double round_mm,

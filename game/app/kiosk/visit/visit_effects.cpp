@@ -7,6 +7,7 @@
 
 #include "game/clay/studio/studio_clay.h"
 #include "game/heritage/jar.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
 
@@ -41,7 +42,7 @@ void VisitEffects::apply_one(const effect::VisitEnded& ended) {
 }
 
 void VisitEffects::apply_one(const effect::MoveHand& move) {
-    if (flow_.state().screen == kiosk::Screen::kDecorate) {
+    if (visit::step_of(flow_.state().screen).finger == visit::Finger::kBrush) {
         input_.lead_by_keys();
         drawing_.nudge(move.direction);
     } else {

@@ -5,6 +5,7 @@
 
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/kiosk/visit/bench_tools.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
 
@@ -13,17 +14,18 @@ namespace event = kiosk::event;
 namespace {
 
 using kiosk::Button;
-using kiosk::Panel;
-using kiosk::Screen;
+using visit::Finger;
+using visit::open_finger;
+using visit::step_of;
 
 // What works on the clay is the hand, whichever way the clay stands.
 bool hand_is_open(const kiosk::State& state) {
-    return clay_is_open(state) || trimming_is_open(state);
+    return open_finger(state) == Finger::kClay || open_finger(state) == Finger::kFoot;
 }
 
 // Of a pot that stands on its rim, up is down.
 Button upright(Button button, const kiosk::State& state) {
-    if (state.screen != Screen::kTrim) return button;
+    if (step_of(state.screen).finger != Finger::kFoot) return button;
     if (button == Button::kHandUp) return Button::kHandDown;
     return button == Button::kHandDown ? Button::kHandUp : button;
 }
@@ -57,7 +59,7 @@ bool VisitInput::hovers(double now_s) const {
 void VisitInput::nudge(Button button) {
     keys_lead_ = true;
     const HandKey key = hand_key(upright(button, flow_.state()));
-    if (flow_.state().screen == Screen::kTrim) {
+    if (step_of(flow_.state().screen).finger == Finger::kFoot) {
         hand_.key(key, side_of(flow_.state()));  // a trimmer walks along the wall, and draws none up
     } else {
         hand_.button(key, side_of(flow_.state()));
@@ -66,12 +68,12 @@ void VisitInput::nudge(Button button) {
 
 std::optional<dvec2> VisitInput::hand_place(vec2 px) const {
     const auto place = place_at(parts_.view, px);
-    return place && flow_.state().screen == Screen::kTrim ? trim_.turned(*place) : place;
+    return place && step_of(flow_.state().screen).finger == Finger::kFoot ? trim_.turned(*place) : place;
 }
 
 void VisitInput::help_along() {
     const std::optional<int> target =
-        parts_.settings.config.visit.forgiving && flow_.state().screen == Screen::kThrow
+        parts_.settings.config.visit.forgiving && step_of(flow_.state().screen).finger == Finger::kClay
             ? flow_.state().throwing.target
             : std::nullopt;
     const int steps_done = flow_.state().throwing.steps_done;
@@ -119,18 +121,14 @@ bool VisitInput::take_drawing(const PointerNews& news) {
 
 // What lies on the bench is taken by touching it.
 bool VisitInput::pick_up(vec2 px) {
-    if (!clay_is_open(flow_.state()) || flow_.state().screen != Screen::kThrow) return false;
+    if (open_finger(flow_.state()) != Finger::kClay) return false;
     const auto held = bench_tool_at(bench_tools(parts_, flow_.state()), px);
     if (held) flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(*held)});
     return held.has_value();
 }
 
 void VisitInput::take_news(const PointerNews& news, double now_s) {
-    if (drawing_is_open(flow_.state()) && take_drawing(news)) return;
-    const bool scene_is_open =
-        flow_.state().panel == Panel::kNone &&
-        (flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kTrim ||
-         flow_.state().screen == Screen::kChoose);
+    if (open_finger(flow_.state()) == Finger::kBrush && take_drawing(news)) return;
     switch (news.kind) {
         case PointerNews::Kind::kNone:
             break;
@@ -151,7 +149,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             }
             break;
         case PointerNews::Kind::kHandMoved:
-            if (!scene_is_open) break;
+            if (!hand_is_open(flow_.state()) && open_finger(flow_.state()) != Finger::kLooks) break;
             flow_.dispatch(event::Input{});
             if (const auto place = hand_place(news.at_px)) hand_.drag(*place);
             break;
@@ -166,8 +164,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kPutDown:
             break;
         case PointerNews::Kind::kNudged:
-            if (flow_.state().screen == Screen::kJoin && flow_.state().panel == Panel::kNone)
-                flow_.dispatch(event::Pressed{news.button});
+            if (open_finger(flow_.state()) == Finger::kBowl) flow_.dispatch(event::Pressed{news.button});
             if (!hand_is_open(flow_.state())) break;
             flow_.dispatch(event::ClayTouched{});
             keys_lead_ = true;
@@ -230,7 +227,7 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
     if (request.is_used && keys.empty()) flow_.dispatch(event::Input{});
     if (!hand_is_open(flow_.state())) return;
     if (request.is_for_clay) flow_.dispatch(event::ClayTouched{});
-    const double up = flow_.state().screen == Screen::kTrim ? -1.0 : 1.0;
+    const double up = step_of(flow_.state().screen).finger == Finger::kFoot ? -1.0 : 1.0;
     hand_.steer(request.step_mm * dvec2(1.0, up), request.presses, *moment.snapshot.pot,
                 side_of(flow_.state()));
     if (request.radius_steps > 0.5) flow_.dispatch(event::Pressed{Button::kToolMore});

@@ -12,11 +12,15 @@ namespace {
 
 using kiosk::JarStep;
 
-JarStep step_of(const VisitFlow& flow) {
+JarStep jar_step(const VisitFlow& flow) {
     return flow.state().throwing.jar.step;
 }
 
 }  // namespace
+
+bool VisitJar::works_on(visit::Finger what) const {
+    return visit::step_of(flow_.state().screen).finger == what;
+}
 
 const heritage::Target* VisitJar::target() const {
     const std::optional<int> chosen = flow_.state().throwing.target;
@@ -40,7 +44,7 @@ void VisitJar::look(const haptic::Snapshot& snapshot) {
     const kiosk::JarMaking& jar = flow_.state().throwing.jar;
     const bool throws_bowl = jar.step == JarStep::kFirstBowl || jar.step == JarStep::kSecondBowl;
     const heritage::Target* const after = target();
-    if (flow_.state().screen != kiosk::Screen::kThrow || !throws_bowl || after == nullptr) return;
+    if (!works_on(visit::Finger::kClay) || !throws_bowl || after == nullptr) return;
     const double least_mm = kLeastOfBowl * double{jar_of(*after).bowl_mm.back().y};
     const pot::Pot& shape = *snapshot.pot;
     const bool is_open = shape.can_be_hollow() && !shape.inner_mm.empty() && shape.inner_mm.back() > 0.0F;
@@ -56,8 +60,8 @@ std::string VisitJar::target_id() const {
 
 std::vector<vec2> VisitJar::outline() const {
     const heritage::Target* const after = target();
-    if (after == nullptr || flow_.state().screen != kiosk::Screen::kThrow) return {};
-    switch (step_of(flow_)) {
+    if (after == nullptr || !works_on(visit::Finger::kClay)) return {};
+    switch (jar_step(flow_)) {
         case JarStep::kNone:
             return wet_outline(*after);
         case JarStep::kFirstBowl:
@@ -73,8 +77,8 @@ std::vector<vec2> VisitJar::outline() const {
 }
 
 std::shared_ptr<const pot::Section> VisitJar::aside() const {
-    const bool is_aside = flow_.state().screen == kiosk::Screen::kThrow &&
-                          (step_of(flow_) == JarStep::kAside || step_of(flow_) == JarStep::kSecondBowl);
+    const bool is_aside = works_on(visit::Finger::kClay) &&
+                          (jar_step(flow_) == JarStep::kAside || jar_step(flow_) == JarStep::kSecondBowl);
     return is_aside ? bowl_section_ : nullptr;
 }
 
@@ -86,12 +90,12 @@ JarJoin VisitJar::join(const dvec2& heading) const {
 }
 
 double VisitJar::height_mm(const haptic::Snapshot& snapshot) const {
-    const bool is_both = flow_.state().screen == kiosk::Screen::kJoin && bowl_;
+    const bool is_both = works_on(visit::Finger::kBowl) && bowl_;
     return snapshot.pot->height_mm + (is_both ? bowl_->height_mm : 0.0);
 }
 
 void VisitJar::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) {
-    if (flow_.state().screen != kiosk::Screen::kJoin || !bowl_) return;
+    if (!works_on(visit::Finger::kBowl) || !bowl_) return;
     both_ = pot::stacked(*snapshot.pot, *bowl_, vec2(join(snapshot.wheel_direction).shift_mm));
     shown.pot = &both_;
     shown.contacts = 0;

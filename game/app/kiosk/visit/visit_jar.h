@@ -8,6 +8,7 @@
 
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/pot/section.h"
+#include "game/visit/flow/step.h"
 #include "game/wheel/wheel_view.h"
 
 namespace onggi::app {
@@ -37,6 +38,8 @@ class VisitJar {
     void show(wheel::WheelView& shown, const haptic::Snapshot& snapshot);
 
   private:
+    // Also under a panel.
+    [[nodiscard]] bool works_on(visit::Finger what) const;
     [[nodiscard]] const heritage::Target* target() const;
 
     const VisitParts& parts_;

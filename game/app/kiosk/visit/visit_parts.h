@@ -14,7 +14,7 @@
 #include "game/app/kiosk/staff/kiosk_staff.h"
 #include "game/app/system/start_log.h"
 #include "game/haptic/job.h"
-#include "game/kiosk/step.h"
+#include "game/kiosk/events.h"
 #include "game/wheel/live_view.h"
 
 namespace onggi::app {
@@ -66,11 +66,6 @@ class VisitFlow {
 // On which side the hand comes to the clay: +1 right, -1 left.
 [[nodiscard]] inline double side_of(const kiosk::State& state) {
     return state.comfort.left_hand ? -1.0 : 1.0;
-}
-
-// The visitor sees the clay, and a touch is meant for it.
-[[nodiscard]] inline bool clay_is_open(const kiosk::State& state) {
-    return state.panel == kiosk::Panel::kNone && state.screen == kiosk::Screen::kThrow;
 }
 
 }  // namespace onggi::app

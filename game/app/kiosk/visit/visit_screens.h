@@ -11,11 +11,9 @@
 #include "game/app/kiosk/visit/visit_effects.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/screens/composer.h"
+#include "game/visit/steps.h"
 
 namespace onggi::app {
-
-// The glaze kiln is burning before the visitor's eyes.
-[[nodiscard]] bool kiln_burns(const kiosk::State& state);
 
 class VisitScreens {
   public:
@@ -56,7 +54,7 @@ class VisitScreens {
     const VisitJar& jar_;
     const KioskPointer& pointer_;
     StaffDesk& desk_;
-    screens::Composer composer_;
+    screens::Composer composer_{visit::compose};
     std::shared_ptr<const screens::View> asked_;
     std::shared_ptr<const std::vector<screens::ShelfPot>> shelf_;
     std::uint64_t shelf_kept_ = 0;  // pots_kept(), and whether the newest was left out, when it was made

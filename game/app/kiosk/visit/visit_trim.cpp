@@ -6,6 +6,7 @@
 #include "game/clay/studio/pot.h"
 #include "game/clay/studio/studio_parameters.h"
 #include "game/pot/set_aside.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
 namespace {
@@ -14,13 +15,17 @@ constexpr double kTrimmerHoversMm = 14.0;
 
 }  // namespace
 
+bool VisitTrim::is_there() const {
+    return visit::step_of(flow_.state().screen).finger == visit::Finger::kFoot;
+}
+
 void VisitTrim::begin(const haptic::Snapshot& snapshot) {
     begun_mm3_ = snapshot.on_wheel_mm3;
     height_mm_ = snapshot.pot->height_mm;
 }
 
 void VisitTrim::look(const haptic::Snapshot& snapshot) {
-    if (flow_.state().screen != kiosk::Screen::kTrim) return;
+    if (!is_there()) return;
     height_mm_ = snapshot.pot->height_mm;
     const double taken_g = (begun_mm3_ - snapshot.on_wheel_mm3) * clay::studio::kDensityGPerMm3;
     const int grams = static_cast<int>(std::lround(std::max(0.0, taken_g)));
@@ -35,13 +40,14 @@ dvec2 VisitTrim::turned(const dvec2& place_mm) const {
 std::optional<VisitTrim::Foot> VisitTrim::wanted() const {
     constexpr double kFootMm = 26.0;
     constexpr double kFromTopMm = 5.0;
-    const bool is_wanted = trimming_is_open(flow_.state()) && !flow_.state().trimming.touched;
+    const bool is_wanted =
+        visit::open_finger(flow_.state()) == visit::Finger::kFoot && !flow_.state().trimming.touched;
     if (!is_wanted || over_.height_mm < 2.0 * kFootMm) return std::nullopt;
     return Foot{over_.height_mm - kFootMm, over_.height_mm - kFromTopMm};
 }
 
 void VisitTrim::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) {
-    if (flow_.state().screen != kiosk::Screen::kTrim) return;
+    if (!is_there()) return;
     over_ = pot::turned_over(*snapshot.pot);
     over_.stage = clay::Firing::kDry;  // as it looks; it is measured and touched at the size it is
     shown.pot = &over_;

@@ -12,11 +12,6 @@ namespace onggi::app {
 // A wall above the floor that thick has clay to spare.
 constexpr double kThickFootMm = 9.0;
 
-// The visitor sees the foot, and a touch is meant for it.
-[[nodiscard]] inline bool trimming_is_open(const kiosk::State& state) {
-    return state.panel == kiosk::Panel::kNone && state.screen == kiosk::Screen::kTrim;
-}
-
 class VisitTrim {
   public:
     // It outlives it.
@@ -38,6 +33,8 @@ class VisitTrim {
     [[nodiscard]] const pot::Pot& pot() const { return over_; }
 
   private:
+    [[nodiscard]] bool is_there() const;  // the pot on its rim, under a panel too
+
     VisitFlow& flow_;
     double begun_mm3_ = 0.0;
     double height_mm_ = 0.0;  // of the clay, upright

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "game/haptic/tools.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
 
@@ -21,7 +22,9 @@ double widest_mm(const pot::Pot& shape) {
 }
 
 using kiosk::Panel;
-using kiosk::Screen;
+using visit::Finger;
+using visit::open_finger;
+using visit::step_of;
 
 }  // namespace
 
@@ -136,12 +139,11 @@ void VisitWheel::rearm_force() {
 void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     const bool touches = snapshot.result.forces.contacts > 0;
     // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
-    if (flow_.state().screen == Screen::kChoose && flow_.state().panel == Panel::kNone && touches &&
-        !parts_.devices.holder().empty()) {
+    if (open_finger(flow_.state()) == Finger::kLooks && touches && !parts_.devices.holder().empty()) {
         flow_.dispatch(event::ClayTouched{});
         return;
     }
-    if (flow_.state().screen != Screen::kThrow) return;
+    if (step_of(flow_.state().screen).finger != Finger::kClay) return;
     // What the wheel's own hands do is not the visitor's touch.
     const bool holds = parts_.devices.holder().empty() ? hand_.works() && !hand_.shows() : touches;
     const bool held = flow_.state().pace.held;
@@ -169,37 +171,36 @@ void VisitWheel::take_fault(const VisitMoment& moment) {
         }
         flow_.dispatch(event::Force{.rests = advice.force_rests});
     }
-    if (advice.wheel_rests && flow_.state().screen != Screen::kFault) {
+    const bool is_fault = step_of(flow_.state().screen).whose == visit::Whose::kStaff;
+    if (advice.wheel_rests && !is_fault) {
         flow_.warn("kiosk: the clay's force is no number; the wheel rests");
         flow_.dispatch(event::Fault{});
     }
     if (advice.take_back && advice.wheel_rests) put_fresh_clay();
     if (advice.take_back) rearm_force();
     // Not under the staff's eyes.
-    if (!advice.wheel_rests && flow_.state().screen == Screen::kFault && flow_.state().panel == Panel::kNone)
+    if (!advice.wheel_rests && is_fault && flow_.state().panel == Panel::kNone)
         flow_.dispatch(event::FaultOver{});
 }
 
 void VisitWheel::move_hand(const VisitMoment& moment) {
     // Under the staff's panel nothing moves by itself, so that a hand can be tested.
-    if (flow_.state().panel == Panel::kPin || flow_.state().panel == Panel::kStaff) {
+    if (visit::overlay_of(flow_.state().panel).is_staffs) {
         parts_.hand.set_target(resting_hand());
         if (demo_runs_ && shown_) put_fresh_clay();
         return;
     }
     if (demo_runs_ && play_show(moment)) return;
     const kiosk::Throwing& throwing = flow_.state().throwing;
-    const bool trims = flow_.state().screen == Screen::kTrim;
+    const visit::Step& step = step_of(flow_.state().screen);
+    const bool trims = step.finger == Finger::kFoot;
     haptics::ToolState tool = hand_.request({.held = throwing.held,
                                              .tool = trims ? flow_.state().trimming.loop : throwing.tool,
                                              .water = throwing.water,
                                              .speed = throwing.speed,
                                              .trims = trims},
                                             *moment.snapshot.pot, moment.dt_s);
-    const bool throws = trims || flow_.state().screen == Screen::kThrow ||
-                        flow_.state().screen == Screen::kFailure || flow_.state().screen == Screen::kChoose ||
-                        flow_.state().screen == Screen::kAttract;
-    tool.wheel_button = throws && flow_.state().panel != Panel::kIdle;
+    tool.wheel_button = step.turns_wheel && flow_.state().panel != Panel::kIdle;
     parts_.hand.set_target(tool);
     soak(moment);
 }
