@@ -193,7 +193,7 @@ void VisitEffects::take(const KeeperAnswer::CutOff& cut) {
     drawing_.take(cut.pot);
     // A hand control holds no trimmer: whoever throws with one goes on to decorate.
     const bool can_trim =
-        clay::studio::foot_wall_mm(clay.rings()) > kThickFootMm && parts_.devices.holder().empty();
+        clay::studio::foot_wall_mm(clay.rings()) > visit::kThickFootMm && parts_.devices.holder().empty();
     if (std::exchange(may_be_trimmed_, false) && can_trim) flow_.dispatch(event::ThickFoot{});
     // Its film is made of what it is in the end.
     if (!flow_.state().trimming.is_offered) write_session();

@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "game/app/kiosk/staff/staff_desk.h"
-#include "game/app/kiosk/visit/visit_drawing.h"
 #include "game/app/kiosk/visit/visit_input.h"
 #include "game/app/kiosk/visit/visit_jar.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/app/kiosk/visit/visit_wheel.h"
 #include "game/screens/page/view.h"
+#include "game/visit/decorate/visit_drawing.h"
 
 namespace onggi::app {
 
 class VisitEffects {
   public:
     // All outlive it.
-    VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, VisitDrawing& drawing,
-                 VisitJar& jar, VisitTrim& trim, StaffDesk& desk, VisitFlow& flow)
+    VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, visit::VisitDrawing& drawing,
+                 VisitJar& jar, visit::VisitTrim& trim, StaffDesk& desk, VisitFlow& flow)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
@@ -120,9 +120,9 @@ class VisitEffects {
     const VisitParts& parts_;
     VisitWheel& wheel_;
     VisitInput& input_;
-    VisitDrawing& drawing_;
+    visit::VisitDrawing& drawing_;
     VisitJar& jar_;
-    VisitTrim& trim_;
+    visit::VisitTrim& trim_;
     StaffDesk& desk_;
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;

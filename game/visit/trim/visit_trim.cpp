@@ -1,4 +1,4 @@
-#include "game/app/kiosk/visit/visit_trim.h"
+#include "game/visit/trim/visit_trim.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "game/pot/set_aside.h"
 #include "game/visit/flow/step.h"
 
-namespace onggi::app {
+namespace onggi::visit {
 namespace {
 
 constexpr double kTrimmerHoversMm = 14.0;
@@ -16,7 +16,7 @@ constexpr double kTrimmerHoversMm = 14.0;
 }  // namespace
 
 bool VisitTrim::is_there() const {
-    return visit::step_of(flow_.state().screen).finger == visit::Finger::kFoot;
+    return step_of(flow_.state().screen).finger == Finger::kFoot;
 }
 
 void VisitTrim::begin(const haptic::Snapshot& snapshot) {
@@ -40,8 +40,7 @@ dvec2 VisitTrim::turned(const dvec2& place_mm) const {
 std::optional<VisitTrim::Foot> VisitTrim::wanted() const {
     constexpr double kFootMm = 26.0;
     constexpr double kFromTopMm = 5.0;
-    const bool is_wanted =
-        visit::open_finger(flow_.state()) == visit::Finger::kFoot && !flow_.state().trimming.touched;
+    const bool is_wanted = open_finger(flow_.state()) == Finger::kFoot && !flow_.state().trimming.touched;
     if (!is_wanted || over_.height_mm < 2.0 * kFootMm) return std::nullopt;
     return Foot{over_.height_mm - kFootMm, over_.height_mm - kFromTopMm};
 }
@@ -68,4 +67,4 @@ void VisitTrim::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) 
     shown.shaved_at_mm = {at_mm.x, at_mm.y, 0.0};
 }
 
-}  // namespace onggi::app
+}  // namespace onggi::visit

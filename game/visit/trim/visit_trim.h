@@ -4,10 +4,11 @@
 
 #include <optional>
 
-#include "game/app/kiosk/visit/visit_parts.h"
+#include "game/haptic/messages.h"
+#include "game/visit/flow/visit_flow.h"
 #include "game/wheel/wheel_view.h"
 
-namespace onggi::app {
+namespace onggi::visit {
 
 // A wall above the floor that thick has clay to spare.
 constexpr double kThickFootMm = 9.0;
@@ -41,4 +42,4 @@ class VisitTrim {
     pot::Pot over_;
 };
 
-}  // namespace onggi::app
+}  // namespace onggi::visit

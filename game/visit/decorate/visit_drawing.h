@@ -6,15 +6,15 @@
 #include <optional>
 #include <vector>
 
-#include "game/app/kiosk/visit/visit_parts.h"
 #include "game/decoration/canvas.h"
 #include "game/decoration/picking.h"
 #include "game/finish/drawn_with.h"
 #include "game/look/lathe_marks.h"
 #include "game/pot/pot.h"
-#include "game/wheel/wheel_view.h"
+#include "game/visit/flow/visit_flow.h"
+#include "game/wheel/live_view.h"
 
-namespace onggi::app {
+namespace onggi::visit {
 
 // A stroke without points, of the way that is chosen on the ledge. round_mm: how far round the pot is where
 // it begins; height_mm: of its wall.
@@ -99,4 +99,4 @@ class VisitDrawing {
     double dot_fraction_ = 0.5;   // of the height
 };
 
-}  // namespace onggi::app
+}  // namespace onggi::visit

@@ -1,4 +1,4 @@
-#include "game/app/kiosk/visit/visit_drawing.h"
+#include "game/visit/decorate/visit_drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "engine/jobs/thread_setup.h"
-#include "game/app/replay/session_marks.h"
 #include "game/visit/flow/step.h"
 
-namespace onggi::app {
+namespace onggi::visit {
 namespace {
 
 using decoration::Stroke;
@@ -53,7 +52,7 @@ Stroke motif_stroke(const kiosk::Decorating& decorating, double round_mm, double
 
 // They were drawn on this wall; strokes of another leave it blank.
 decoration::Canvas canvas_of(const pot::Pot& wet, const decoration::Strokes& strokes) {
-    const decoration::Wall wall = wall_of(wet);
+    const decoration::Wall wall = decoration::wall_of(pot::outer_outline(wet));
     auto drawn_on = decoration::Canvas::of(wall, strokes);
     return drawn_on ? std::move(*drawn_on) : decoration::Canvas(wall);
 }
@@ -129,7 +128,7 @@ void VisitDrawing::start_if_ready() {
 std::optional<decoration::Canvas> VisitDrawing::remembered_canvas() {
     const auto drawn = std::exchange(remembered_, nullptr);
     if (!drawn || !put_away_.empty()) return std::nullopt;
-    auto canvas = decoration::Canvas::of(wall_of(*pot_), drawn->strokes);
+    auto canvas = decoration::Canvas::of(decoration::wall_of(pot::outer_outline(*pot_)), drawn->strokes);
     if (!canvas || canvas->recorded() != *drawn) return std::nullopt;
     return std::move(*canvas);
 }
@@ -310,7 +309,7 @@ void VisitDrawing::pass(double dt_s) {
     constexpr double kTurnS = 10.0;
     const kiosk::Screen screen = flow_.state().screen;
     if (screen == kiosk::Screen::kGlaze && work_) put_away();  // fired: what it came to goes with the pot
-    if (visit::open_finger(flow_.state()) != visit::Finger::kBrush) {
+    if (open_finger(flow_.state()) != Finger::kBrush) {
         release();
         put_brush(false);
         return;
@@ -335,7 +334,7 @@ void VisitDrawing::show(wheel::WheelView& shown) const {
 std::vector<vec2> VisitDrawing::ring(bool keys_lead) const {
     constexpr int kPoints = 40;
     constexpr double kLeastMm = 3.0;
-    if (!work_ || finger_px_ || visit::open_finger(flow_.state()) != visit::Finger::kBrush) return {};
+    if (!work_ || finger_px_ || open_finger(flow_.state()) != Finger::kBrush) return {};
     const auto place = keys_lead ? place_of_dot() : hover_px_ ? place_at(*hover_px_) : std::nullopt;
     if (!place) return {};
     const decoration::Wall& wall = work_->canvas.wall();
@@ -363,4 +362,4 @@ finish::DrawnWith VisitDrawing::drawn_with() const {
     return work_ ? finish::drawn_with(work_->canvas.texture(), work_->canvas.strokes()) : finish::DrawnWith{};
 }
 
-}  // namespace onggi::app
+}  // namespace onggi::visit
