@@ -26,7 +26,7 @@ namespace onggi::app {
 
 class OutlineHelp {
   public:
-    // Radius and height from below, as app::wet_outline(); empty: no help. strength: 0 (no help) to 1.
+    // Radius and height from below, as heritage::wet_outline(); empty: no help. strength: 0 (no help) to 1.
     void set(std::span<const vec2> radius_height, double strength);
     // Fades the help in and out, so that the change is not felt.
     void pass_time(double dt_s);

@@ -35,7 +35,7 @@ KioskVisit::KioskVisit(const VisitParts& parts)
              .rate_hz = parts.rate_hz}),
       wheel_(parts_, *this),
       drawing_(parts_.view, *this),
-      jar_(parts_, *this),
+      jar_(parts_.settings.targets, parts_.settings.exhibit_places, *this),
       trim_(*this),
       input_(parts_, wheel_.hand(), drawing_, jar_, trim_, *this),
       effects_(parts_, wheel_, input_, drawing_, jar_, trim_, desk_, *this),

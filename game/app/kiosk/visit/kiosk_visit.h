@@ -9,7 +9,6 @@
 #include "game/app/kiosk/staff/staff_desk.h"
 #include "game/app/kiosk/visit/visit_effects.h"
 #include "game/app/kiosk/visit/visit_input.h"
-#include "game/app/kiosk/visit/visit_jar.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/app/kiosk/visit/visit_scene.h"
 #include "game/app/kiosk/visit/visit_screens.h"
@@ -17,6 +16,7 @@
 #include "game/app/system/report.h"
 #include "game/screens/stage.h"
 #include "game/visit/decorate/visit_drawing.h"
+#include "game/visit/jar/visit_jar.h"
 #include "game/visit/trim/visit_trim.h"
 
 namespace onggi::app {
@@ -57,7 +57,7 @@ class KioskVisit final : private VisitFlow {
     StaffDesk desk_;
     VisitWheel wheel_;
     visit::VisitDrawing drawing_;
-    VisitJar jar_;
+    visit::VisitJar jar_;
     visit::VisitTrim trim_;
     VisitInput input_;
     VisitEffects effects_;

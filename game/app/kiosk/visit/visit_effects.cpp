@@ -87,14 +87,15 @@ void VisitEffects::apply_one(const effect::SetAside& /*effect*/) {
     parts_.keeper.set_aside();
 }
 
-void VisitEffects::apply_one(const effect::HoldTogether& /*effect*/, const VisitMoment& moment) {
+void VisitEffects::apply_one(const effect::HoldTogether& /*effect*/) {
     wheel_.hand().release();
-    parts_.keeper.hold_together(jar_.join(moment.snapshot.wheel_direction).mouth_mm);
+    parts_.keeper.hold_together(jar_.mouth_mm());
 }
 
 void VisitEffects::apply_one(const effect::JoinBowls& /*effect*/, const VisitMoment& moment) {
     wheel_.clay().expect_state(moment.snapshot);
-    parts_.keeper.join_bowls(jar_.join(moment.snapshot.wheel_direction));
+    parts_.keeper.join_bowls(
+        {.shift_mm = jar_.shift_mm(moment.snapshot.wheel_direction), .mouth_mm = jar_.mouth_mm()});
 }
 
 void VisitEffects::apply_one(const effect::TakeBack& back, const VisitMoment& moment) {

@@ -8,11 +8,11 @@
 
 #include "game/app/kiosk/staff/staff_desk.h"
 #include "game/app/kiosk/visit/visit_input.h"
-#include "game/app/kiosk/visit/visit_jar.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/app/kiosk/visit/visit_wheel.h"
 #include "game/screens/page/view.h"
 #include "game/visit/decorate/visit_drawing.h"
+#include "game/visit/jar/visit_jar.h"
 
 namespace onggi::app {
 
@@ -20,7 +20,7 @@ class VisitEffects {
   public:
     // All outlive it.
     VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, visit::VisitDrawing& drawing,
-                 VisitJar& jar, visit::VisitTrim& trim, StaffDesk& desk, VisitFlow& flow)
+                 visit::VisitJar& jar, visit::VisitTrim& trim, StaffDesk& desk, VisitFlow& flow)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
@@ -59,7 +59,7 @@ class VisitEffects {
     void apply_one(const kiosk::effect::BeginJar& /*effect*/) { parts_.keeper.begin_jar(jar_.target_id()); }
     void apply_one(const kiosk::effect::SetAside& effect);
     void apply_one(const kiosk::effect::TakeBack& back, const VisitMoment& moment);
-    void apply_one(const kiosk::effect::HoldTogether& effect, const VisitMoment& moment);
+    void apply_one(const kiosk::effect::HoldTogether& effect);
     void apply_one(const kiosk::effect::JoinBowls& effect, const VisitMoment& moment);
     void apply_one(const kiosk::effect::MoveHand& move);
     void apply_one(const kiosk::effect::CutRim& /*effect*/) { wheel_.hand().cut_rim(); }
@@ -121,7 +121,7 @@ class VisitEffects {
     VisitWheel& wheel_;
     VisitInput& input_;
     visit::VisitDrawing& drawing_;
-    VisitJar& jar_;
+    visit::VisitJar& jar_;
     visit::VisitTrim& trim_;
     StaffDesk& desk_;
     VisitFlow& flow_;

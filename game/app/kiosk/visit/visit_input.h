@@ -8,9 +8,9 @@
 #include "game/app/devices/gamepad_hand.h"
 #include "game/app/kiosk/hand/kiosk_hand.h"
 #include "game/app/kiosk/hand/kiosk_pointer.h"
-#include "game/app/kiosk/visit/visit_jar.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/visit/decorate/visit_drawing.h"
+#include "game/visit/jar/visit_jar.h"
 #include "game/visit/trim/visit_trim.h"
 
 namespace onggi::app {
@@ -21,8 +21,8 @@ namespace onggi::app {
 class VisitInput {
   public:
     // All outlive it.
-    VisitInput(const VisitParts& parts, KioskHand& hand, visit::VisitDrawing& drawing, const VisitJar& jar,
-               const visit::VisitTrim& trim, VisitFlow& flow)
+    VisitInput(const VisitParts& parts, KioskHand& hand, visit::VisitDrawing& drawing,
+               const visit::VisitJar& jar, const visit::VisitTrim& trim, VisitFlow& flow)
         : parts_(parts),
           hand_(hand),
           drawing_(drawing),
@@ -57,7 +57,7 @@ class VisitInput {
     const VisitParts& parts_;
     KioskHand& hand_;
     visit::VisitDrawing& drawing_;
-    const VisitJar& jar_;
+    const visit::VisitJar& jar_;
     const visit::VisitTrim& trim_;
     VisitFlow& flow_;
     KioskPointer pointer_;

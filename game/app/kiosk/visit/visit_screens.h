@@ -18,7 +18,7 @@ namespace onggi::app {
 class VisitScreens {
   public:
     // All outlive it.
-    VisitScreens(const VisitParts& parts, const VisitEffects& effects, const VisitJar& jar,
+    VisitScreens(const VisitParts& parts, const VisitEffects& effects, const visit::VisitJar& jar,
                  const KioskPointer& pointer, StaffDesk& desk)
         : parts_(parts),
           effects_(effects),
@@ -51,7 +51,7 @@ class VisitScreens {
 
     const VisitParts& parts_;
     const VisitEffects& effects_;
-    const VisitJar& jar_;
+    const visit::VisitJar& jar_;
     const KioskPointer& pointer_;
     StaffDesk& desk_;
     screens::Composer composer_{visit::compose};

@@ -6,17 +6,23 @@
 #include <string>
 #include <vector>
 
-#include "game/app/kiosk/visit/visit_parts.h"
+#include "game/haptic/messages.h"
+#include "game/heritage/target.h"
 #include "game/pot/section.h"
 #include "game/visit/flow/step.h"
+#include "game/visit/flow/visit_flow.h"
 #include "game/wheel/wheel_view.h"
 
-namespace onggi::app {
+namespace onggi::visit {
 
 class VisitJar {
   public:
-    // Both outlive it.
-    VisitJar(const VisitParts& parts, VisitFlow& flow) : parts_(parts), flow_(flow) {}
+    // All outlive it. places: of State::throwing.target, in the table of targets.
+    VisitJar(const std::vector<heritage::Target>& targets, const std::vector<std::size_t>& places,
+             VisitFlow& flow)
+        : targets_(targets),
+          places_(places),
+          flow_(flow) {}
 
     void set_aside(std::shared_ptr<const pot::Pot> bowl);
     void forget();
@@ -30,8 +36,10 @@ class VisitJar {
     [[nodiscard]] std::vector<vec2> outline() const;
     // The bowl that was set aside, while it stands beside the wheel; null: none does.
     [[nodiscard]] std::shared_ptr<const pot::Section> aside() const;
-    // How the bowls are to be joined, on a wheel that stands so.
-    [[nodiscard]] JarJoin join(const dvec2& heading) const;
+    // Where the upper bowl is held: x and z, in the clay's frame of a wheel that stands so.
+    [[nodiscard]] dvec2 shift_mm(const dvec2& heading) const;
+    // Across and outside, where the upper bowl's foot is to be cut open.
+    [[nodiscard]] double mouth_mm() const;
     // Of what is seen on the wheel.
     [[nodiscard]] double height_mm(const haptic::Snapshot& snapshot) const;
     // Both bowls, while they are held together.
@@ -39,14 +47,15 @@ class VisitJar {
 
   private:
     // Also under a panel.
-    [[nodiscard]] bool works_on(visit::Finger what) const;
+    [[nodiscard]] bool works_on(Finger what) const;
     [[nodiscard]] const heritage::Target* target() const;
 
-    const VisitParts& parts_;
+    const std::vector<heritage::Target>& targets_;
+    const std::vector<std::size_t>& places_;
     VisitFlow& flow_;
     std::shared_ptr<const pot::Pot> bowl_;
     std::shared_ptr<const pot::Section> bowl_section_;
     pot::Pot both_;
 };
 
-}  // namespace onggi::app
+}  // namespace onggi::visit
