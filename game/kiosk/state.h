@@ -4,29 +4,9 @@
 
 #include <optional>
 
+#include "game/kiosk/screen.h"
+
 namespace onggi::kiosk {
-
-enum class Screen {
-    kAttract,  // the wheel throws by itself
-    kChoose,
-    kJarStart,  // introduces a jar that is made of two bowls
-    kThrow,
-    kJoin,  // one bowl upside down on the other bowl
-    kFailure,
-    kFiring,  // the pot is cut off and dried, and fired after decorating
-    kTrim,    // the visitor trims the foot of the upturned pot
-    kDecorate,
-    kGlaze,
-    kYourPot,
-    kKeep,
-    kResume,  // a power cut left a pot on the wheel
-    kFault,
-};
-constexpr int kScreenCount = 14;
-
-// The overlay on the screen.
-enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff, kCard };
-constexpr int kPanelCount = 6;
 
 // The card of the pot that stands beside the visitor's own.
 constexpr int kRelativesCard = -1;
