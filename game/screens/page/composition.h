@@ -10,7 +10,7 @@
 #include "engine/ui/colour.h"
 #include "engine/ui/geometry.h"
 #include "engine/ui/painting.h"
-#include "game/kiosk/events.h"
+#include "game/kiosk/screen.h"
 #include "game/screens/page/cue.h"
 #include "game/screens/pots/turning_pot.h"
 
