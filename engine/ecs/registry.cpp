@@ -16,7 +16,7 @@ void Registry::destroy(Entity entity) {
     if (!alive(entity)) return;
     for (auto& [type, storage] : storages_)
         storage->erase(entity);
-    // From now on the old name is dead, and the next entity in this place has another.
+    // The old identifier is now dead; the next entity at this index has another generation.
     ++generations_[entity.index];
     free_indices_.push_back(entity.index);
 }

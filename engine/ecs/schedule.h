@@ -1,5 +1,5 @@
-// The order of a frame: systems, each a free function, run phase by phase, and within a phase in the order in
-// which they were added. Main thread.
+// Runs the systems of a frame, which are free functions, phase by phase, and within a phase in the order of
+// their addition. Main thread.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@ namespace onggi::ecs {
 
 // A frame's phases, in running order.
 enum class Phase {
-    kReceive,  // what arrived since the last frame becomes components: snapshots, input
-    kAnimate,  // what moves by itself: camera, lights
-    kExtract,  // what the renderer needs is gathered
+    kReceive,  // new snapshots and input become components
+    kAnimate,  // camera and lights move
+    kExtract,  // collects the renderer's input
 };
 constexpr std::size_t kPhaseCount = 3;
 
-// Context: what a frame brings and takes away besides the registry (elapsed time, the draw list).
+// Context: a frame's input and output besides the registry (elapsed time, the draw list).
 template <typename Context>
 class Schedule {
   public:
@@ -37,7 +37,7 @@ class Schedule {
         }
     }
 
-    // In running order, for people and tests.
+    // The systems in running order, for display and tests.
     [[nodiscard]] std::vector<std::string_view> names() const {
         std::vector<std::string_view> names;
         for (const auto& systems : phases_) {

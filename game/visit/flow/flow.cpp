@@ -74,7 +74,7 @@ void Turn::end_visit() {
     }
     const State before = state;
     state = first_state(rules, now_s);
-    // What is the kiosk's and not the visitor's.
+    // State of the kiosk, not of the visitor.
     state.device_lost = before.device_lost;
     state.pin_guard = before.pin_guard;
     state.comfort.volume = state.house_volume = before.house_volume;

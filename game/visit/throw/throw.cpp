@@ -114,7 +114,7 @@ void touch_clay(Turn& turn, bool goes_on) {
     State& state = turn.state;
     end_show(turn);
     end_aside(turn);
-    // Hands that a key sent work on for a while. What is asked for meanwhile, and what is said to it, stays.
+    // Guided hands that a key started work on for a while; requests and cards of that time stay.
     if (!goes_on) state.throwing.tray = state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
     state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
     state.pace.touched_s = turn.now_s;

@@ -1,4 +1,4 @@
-// The flow of a visit, told as a visitor would.
+// The flow of a visit, from the visitor's view.
 #include <gtest/gtest.h>
 
 #include "game/visit/throw/throw.h"
@@ -11,7 +11,7 @@ struct Kiosk : testing::Test {
     Visitor visitor;
 };
 
-TEST_F(Kiosk, AttractsForEverWhileNobodyIsThere) {
+TEST_F(Kiosk, AttractsForEverWithoutAVisitor) {
     visitor.waits(3600.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
     EXPECT_TRUE(visitor.all.empty());
@@ -34,7 +34,7 @@ TEST_F(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
     EXPECT_EQ(visitor.state.screen, Screen::kDecorate);
     EXPECT_TRUE(visitor.caused<effect::BeginDrawing>());
     visitor.waits(20.0);
-    EXPECT_EQ(visitor.state.screen, Screen::kDecorate) << "nobody is hurried";
+    EXPECT_EQ(visitor.state.screen, Screen::kDecorate) << "no hurry";
     visitor.presses(Button::kDone);
     EXPECT_EQ(visitor.state.firing, FiringStage::kFire);
     EXPECT_TRUE(visitor.caused<effect::EndDrawing>());
@@ -106,7 +106,7 @@ TEST_F(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
     EXPECT_FALSE(visitor.state.decorating.turns);
 }
 
-TEST_F(Kiosk, StartsFreeThrowingForWhoeverSimplyTouchesTheClay) {
+TEST_F(Kiosk, StartsFreeThrowingOnATouchOfTheClay) {
     visitor.does(event::ClayTouched{});
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_FALSE(visitor.state.throwing.target.has_value());
@@ -150,7 +150,8 @@ TEST_F(Kiosk, ForgetsEveryRequestOfTheVisitorBefore) {
     const Comfort requests{
         .language = 2, .text_size = 2, .volume = 4, .reach = true, .left_hand = true, .still = true};
     EXPECT_EQ(visitor.state.comfort, requests);
-    visitor.does(event::Progress{kTeachingSteps});  // who has learnt it all is shown no more
+    visitor.does(
+        event::Progress{kTeachingSteps});  // after all steps are learnt there are no more demonstrations
     visitor.all.clear();
     visitor.waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
@@ -223,7 +224,7 @@ TEST_F(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
     EXPECT_EQ(visitor.state.throwing.target, 2);
     Visitor reader;
     reader.does(event::Input{}).presses(Button::kCard, 2).waits(300.0);
-    EXPECT_EQ(reader.state.screen, Screen::kAttract) << "nobody reads any more";
+    EXPECT_EQ(reader.state.screen, Screen::kAttract) << "no longer read";
 }
 
 TEST_F(Kiosk, NeverTeachesBackwards) {

@@ -1,4 +1,4 @@
-// What the hand may hold while it throws.
+// The tools of the throwing hand.
 #include <gtest/gtest.h>
 
 #include "game/visit/steps.h"
@@ -60,7 +60,7 @@ TEST(Tools, TheTrayStaysOpenUnderATouchThatHadBegunBefore) {
 TEST(Tools, TheWireCutsOnceAndIsLaidBack) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kCut);
-    EXPECT_FALSE(visitor.caused<effect::CutRim>()) << "nobody holds it";
+    EXPECT_FALSE(visitor.caused<effect::CutRim>()) << "it is not held";
     visitor.presses(Button::kTakeTool, number(Held::kWire));
     EXPECT_EQ(spoken_key(visitor.state), "wire.how");
     visitor.presses(Button::kCut);
@@ -105,7 +105,7 @@ TEST(Tools, TheWheelShowsWhatIsHeldOrWithTheWireTheLesson) {
     EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
 }
 
-TEST(Tools, NobodyIsShownTheLessonWithAToolInTheHandOrTheTrayBefore) {
+TEST(Tools, TheLessonIsHiddenWithAToolInTheHandOrAnOpenTray) {
     for (const auto& press : {event::Pressed{Button::kTakeTool, 1}, event::Pressed{Button::kTools}}) {
         Visitor visitor;
         visitor.starts_to_throw().does(press).waits(30.0);
