@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include "game/app/kiosk/presentation/exhibits.h"
 #include "game/clay/studio/joining.h"
+#include "game/heritage/jar.h"
 #include "tests/support/places.h"
 #include "tests/visitors/kiosk_rig.h"
 #include "tests/visitors/population.h"
@@ -64,7 +64,7 @@ void stand(clay::StudioClay& jar) {
 
 Jar make_jar(const heritage::Target& target, std::uint64_t seed) {
     constexpr std::size_t kPoints = 40;
-    const heritage::JarOfTwo after = app::jar_of(target);
+    const heritage::JarOfTwo after = heritage::jar_of(target);
     Jar made;
     const std::vector<dvec2> shown(after.bowl_mm.begin(), after.bowl_mm.end());
     const clay::StudioClay first = throw_bowl(2 * seed, shown, made.seconds);

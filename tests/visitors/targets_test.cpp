@@ -5,6 +5,7 @@
 
 #include "game/app/kiosk/presentation/exhibits.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
+#include "game/heritage/jar.h"
 #include "game/heritage/target.h"
 #include "tests/support/places.h"
 #include "tests/visitors/population.h"
@@ -37,7 +38,7 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
     for (const std::size_t place : places) {
         const heritage::Target& target = (*targets)[place];
         if (heritage::is_of_two_bowls(target)) continue;  // moon_jar_test.cpp
-        const std::vector<vec2> outline = app::wet_outline(target);
+        const std::vector<vec2> outline = heritage::wet_outline(target);
         const auto all = throw_pots({.kind = Kind::kFollowsOutline,
                                      .count = kEach,
                                      .first_seed = 41,

@@ -31,8 +31,8 @@
 #include "game/app/system/wall_clock.h"
 #include "game/haptic/job.h"
 #include "game/haptic/simulated_device.h"
-#include "game/kiosk/spoken.h"
 #include "game/screens/page/legibility.h"
+#include "game/visit/steps.h"
 #include "game/wheel/live_view.h"
 
 namespace onggi::app {
@@ -108,11 +108,11 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
             keeper.beat(visit.pulse());
         }
         service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
-        service.say(fmt::format("{}; {} pots kept since the start", kiosk::name_of(visit.state().screen),
+        service.say(fmt::format("{}; {} pots kept since the start", visit::step_of(visit.state().screen).name,
                                 visit.pots_kept()));
         const auto language = static_cast<std::size_t>(visit.state().comfort.language);
         voice.ask((*settings.languages)[language].code(),
-                  visit.is_closed() ? std::string_view() : kiosk::spoken_key(visit.state()));
+                  visit.is_closed() ? std::string_view() : visit::spoken_key(visit.state()));
         sound.say(voice.line());
         if (const std::string line = voice.news(); !line.empty()) warn("voice: " + line);
         if (const std::string line = sound.news(); !line.empty()) remark(line);

@@ -52,7 +52,7 @@ class LiveForces {
   private:
     bool shown_;
     ForceView forces_;
-    screens::Composer composer_;
+    screens::Composer composer_{screens::compose_forces};
     screens::Stage stage_;
     std::shared_ptr<const screens::View> asked_;
     render::Overlay overlay_;
@@ -66,7 +66,6 @@ const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const 
         screens::View request;
         request.width_px = view.width();
         request.height_px = view.height();
-        request.only_forces = true;
         request.state.comfort.forces = true;
         request.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
         asked_ = std::make_shared<const screens::View>(std::move(request));

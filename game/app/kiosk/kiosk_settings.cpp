@@ -10,6 +10,7 @@
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
 #include "game/app/kiosk/presentation/exhibits.h"
+#include "game/heritage/jar.h"
 #include "game/screens/page/legibility.h"
 
 namespace onggi::app {

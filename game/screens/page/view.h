@@ -146,7 +146,6 @@ struct View {
     std::string staff_pot;                  // that the staff is asked about
     std::string staff_notice;               // what came of a test
     FramePlot staff_plot;                   // empty: none on this page
-    bool only_forces = false;               // nothing but them, over a picture that plays by itself
     bool closed = false;                    // outside the opening hours: attract is dim
     std::shared_ptr<const PhoneWay> phone;  // once its files are all there; null: not yet, or not at all
 

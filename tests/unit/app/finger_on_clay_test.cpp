@@ -36,7 +36,7 @@ class HandOnClay : public ::testing::Test {
         for (int i = 0; i < static_cast<int>(seconds / kFrameS); ++i)
             frame();
     }
-    void shows(ShownStep step) {
+    void shows(kiosk::ShownStep step) {
         finger_.show(step, shape_, 1.0);
         for (int i = 0; i < 600 && finger_.shows(); ++i)
             frame();
@@ -96,14 +96,14 @@ TEST_F(HandOnClay, TheLessonThrowsAPotOfSmallAndLargeLumps) {
         const double size = std::cbrt(mass_g / 1000.0);
         const double before_mm = outer(0.3 * height());
         const double top_before_mm = height();
-        shows(ShownStep::kPress);
+        shows(kiosk::ShownStep::kPress);
         EXPECT_TRUE(outer(0.3 * height()) < before_mm - 3.0 * size || height() > top_before_mm + 6.0 * size)
             << mass_g;
-        shows(ShownStep::kOpen);
+        shows(kiosk::ShownStep::kOpen);
         const double opened_mm = height();
         EXPECT_GT(opened_mm - shape_.floor_mm, 18.0 * size) << mass_g;
         EXPECT_GT(inner(0.5 * (opened_mm + shape_.floor_mm)), 14.0 * size) << mass_g;
-        shows(ShownStep::kRaise);
+        shows(kiosk::ShownStep::kRaise);
         EXPECT_TRUE(height() > 1.4 * opened_mm || height() > 75.0 * size)
             << mass_g << ": " << opened_mm << " to " << height();
         EXPECT_GT(shape_.floor_mm, 4.0) << mass_g;
@@ -115,9 +115,9 @@ TEST_F(HandOnClay, TheLessonThrowsAPotOfSmallAndLargeLumps) {
 }
 
 TEST_F(HandOnClay, KeysMoveTheWallAsFarAsTheySay) {
-    shows(ShownStep::kPress);
-    shows(ShownStep::kOpen);
-    shows(ShownStep::kRaise);
+    shows(kiosk::ShownStep::kPress);
+    shows(kiosk::ShownStep::kOpen);
+    shows(kiosk::ShownStep::kRaise);
     types(FingerKey::kDown);
     walks_to(0.6 * height());
     for (const FingerKey key : {FingerKey::kLeft, FingerKey::kRight}) {

@@ -118,7 +118,7 @@ TEST_F(KioskFingerTest, TakesItsSettingsFromTheLedge) {
 }
 
 TEST_F(KioskFingerTest, PlaysAStepOfTheLessonAndStops) {
-    finger_.show(ShownStep::kPress, lump_, 1.0);
+    finger_.show(kiosk::ShownStep::kPress, lump_, 1.0);
     auto tool = next(finger_, lump_);
     EXPECT_TRUE(finger_.shows());
     EXPECT_FALSE(tool.pressing) << "the hands are seen to come";
@@ -146,14 +146,14 @@ TEST_F(KioskFingerTest, GivesWayToWhateverTheVisitorDoes) {
                                                   [&] { finger_.release(); }};
     for (std::size_t way = 0; way < ways.size(); ++way) {
         finger_.leave_clay();
-        finger_.show(ShownStep::kRaise, lump_, 1.0);
+        finger_.show(kiosk::ShownStep::kRaise, lump_, 1.0);
         ASSERT_TRUE(after(finger_, lump_, 1.5).pressing);
         ways[way]();
         EXPECT_FALSE(finger_.shows()) << way;
         EXPECT_FALSE(next(finger_, lump_).pressing) << "between two touches there is none: " << way;
     }
     finger_.release();
-    finger_.show(ShownStep::kRaise, lump_, 1.0);
+    finger_.show(kiosk::ShownStep::kRaise, lump_, 1.0);
     after(finger_, lump_, 1.5);
     finger_.hover({0.0, 0.0});
     EXPECT_TRUE(finger_.shows()) << "a trembling mouse is not a visitor";

@@ -45,7 +45,7 @@ TEST(Strings, AreAllShownOrSpokenButThoseThatTheDesignHasNoPlaceFor) {
     };
     std::set<std::string> unused;
     for (const auto& [key, words] : english().words()) {
-        // The second line of a warning: screen_throw.cpp makes its key of the first's.
+        // The second line of a warning: throw_screen.cpp makes its key of the first's.
         const bool is_second_line = key.starts_with("warn.") && key.ends_with('2');
         if (!names(is_second_line ? key.substr(0, key.size() - 1) : key)) unused.insert(key);
     }

@@ -153,7 +153,7 @@ void add_step_views(const Samples& add) {
     for (int step = 0; step < 3; ++step) {
         add("throw-shown-" + std::to_string(step), Screen::kThrow, [&](View& view) {
             view.state.throwing.steps_done = step;
-            view.state.throwing.shown = step;
+            view.state.throwing.shown = static_cast<kiosk::ShownStep>(step);
         });
     }
     add("throw-reach", Screen::kThrow, [](View& view) {

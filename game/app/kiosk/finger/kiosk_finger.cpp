@@ -155,7 +155,7 @@ void KioskFinger::ask_for(const WaitingKey& key) {
     if (waiting_.size() < kMostWaiting) waiting_.push_back(key);
 }
 
-void KioskFinger::show(ShownStep step, const pot::Pot& shape, double side) {
+void KioskFinger::show(kiosk::ShownStep step, const pot::Pot& shape, double side) {
     take_over();
     shows_ = true;
     ++touches_;

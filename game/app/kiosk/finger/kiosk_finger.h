@@ -26,7 +26,7 @@ namespace onggi::app {
 
 class OutlineHelp {
   public:
-    // Radius and height from below, as app::wet_outline(); empty: no help. strength: 0 (no help) to 1.
+    // Radius and height from below, as heritage::wet_outline(); empty: no help. strength: 0 (no help) to 1.
     void set(std::span<const vec2> radius_height, double strength);
     // Fades the help in and out, so that the change is not felt.
     void pass_time(double dt_s);
@@ -69,7 +69,7 @@ class KioskFinger {
     void button(FingerKey key, double side) { ask_for({key, true, side}); }
 
     // Plays a step of the lesson on the current clay. Any finger, key, button or gamepad takes over.
-    void show(ShownStep step, const pot::Pot& shape, double side);
+    void show(kiosk::ShownStep step, const pot::Pot& shape, double side);
     void stop_showing();
     [[nodiscard]] bool shows() const { return shows_ && touch_.runs(); }
 

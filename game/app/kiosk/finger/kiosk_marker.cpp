@@ -97,7 +97,7 @@ TouchPath KioskMarker::button(FingerKey key, const pot::Pot& shape, double side)
         case FingerKey::kUp:
             return pull_path(shape, side_, kSwitchPullMm);
         case FingerKey::kDown:
-            return is_solid(shape) ? path_of_step(ShownStep::kOpen, shape, side_)
+            return is_solid(shape) ? path_of_step(kiosk::ShownStep::kOpen, shape, side_)
                                    : lower_path(shape, side_, kLowerMm);
         case FingerKey::kLeft:
             return move_wall(-1.0, shape);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/window/events.h"
-#include "game/kiosk/step.h"
+#include "game/kiosk/screen.h"
 #include "game/screens/page/composition.h"
 
 namespace onggi::app {

@@ -78,7 +78,7 @@ bool is_solid(const pot::Pot& shape) {
     return shape.floor_mm > shape.height_mm - kSolidMm;
 }
 
-TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side) {
+TouchPath path_of_step(kiosk::ShownStep step, const pot::Pot& shape, double side) {
     const double scale = scale_of(shape);
     const double low_mm = kLowFraction * shape.height_mm;
     const double low_radius_mm = wall_at(shape, low_mm).outer_mm;
@@ -89,24 +89,24 @@ TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side) {
         path.points.push_back({before_s + within_s, {side * radius_mm, y_mm}});
     };
     switch (step) {
-        case ShownStep::kPress:
+        case kiosk::ShownStep::kPress:
             goes(0.0, low_radius_mm + scale * kPressFromMm, low_mm);
             goes(kComesS, low_radius_mm + scale * kPressFromMm, low_mm);
             goes(kPressS, low_radius_mm - scale * kPressToMm, low_mm);
             break;
-        case ShownStep::kOpen:
+        case kiosk::ShownStep::kOpen:
             goes(0.0, 0.0, top_mm);
             goes(kComesS, 0.0, top_mm);
             goes(kOpenDownFraction * kOpenS, 0.0, kOpenFloorMm);
             goes((1.0 - kOpenDownFraction) * kOpenS, scale * kOpenAsideMm, kOpenFloorMm);
             break;
-        case ShownStep::kRaise:
+        case kiosk::ShownStep::kRaise:
             goes(0.0, low_radius_mm, low_mm);
             goes(kComesS, low_radius_mm, low_mm);
             goes(kRaiseS, rim_of(shape).outer_mm,
                  std::max(top_mm, std::min(top_mm + scale * kRaiseMm, scale * kHighestRaiseMm)));
             break;
-        case ShownStep::kDrawTool: {
+        case kiosk::ShownStep::kDrawTool: {
             const double from_mm = kDrawnFromFraction * top_mm;
             goes(0.0, wall_at(shape, from_mm).outer_mm, from_mm);
             goes(kComesS, wall_at(shape, from_mm).outer_mm, from_mm);

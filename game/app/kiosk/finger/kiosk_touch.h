@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/math/math.h"
+#include "game/kiosk/state.h"
 #include "game/pot/pot.h"
 
 namespace onggi::app {
@@ -24,9 +25,6 @@ struct Wall {
 // Whether the shape has no notable hollow.
 [[nodiscard]] bool is_solid(const pot::Pot& shape);
 
-// The steps of the lesson, and drawing a rib or a sponge up along the wall.
-enum class ShownStep { kPress, kOpen, kRaise, kDrawTool };
-
 struct TouchPoint {
     double at_s = 0.0;  // since the path began
     dvec2 place_mm{0.0};
@@ -36,8 +34,9 @@ struct TouchPath {
     double presses_from_s = 0.0;     // before this time the finger hovers
 };
 
-// Returns the path of a step of the lesson on that clay, on the right (+1) or left (-1) side.
-[[nodiscard]] TouchPath path_of_step(ShownStep step, const pot::Pot& shape, double side);
+// Returns the path of a step of the lesson, or of drawing a rib or a sponge up along that clay's wall, on the
+// right (+1) or left (-1) side.
+[[nodiscard]] TouchPath path_of_step(kiosk::ShownStep step, const pot::Pot& shape, double side);
 // Moves the wall at that place by `step_mm`; positive is to the right in the picture.
 [[nodiscard]] TouchPath sideways_path(const dvec2& place_mm, double step_mm);
 // Grips the wall below the rim and pulls `rise_mm` past it. Solid clay is opened first.

@@ -35,7 +35,7 @@ void give_back_memory() {
     jobs::give_back_code();
 }
 
-using kiosk::Event;
+namespace event = kiosk::event;
 
 }  // namespace
 
@@ -385,7 +385,7 @@ void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
             answer({.what = KeeperAnswer::Saved{*number, name},
                     .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
         } else {
-            answer({.what = kiosk::Event{kiosk::Event::Kind::kSaveFailed},
+            answer({.what = kiosk::Event{event::SaveFailed{}},
                     .words = number.error().message,
                     .is_trouble = true});
         }
@@ -438,7 +438,7 @@ void KioskKeeper::undo() {
         if (const auto tick = history_.before_last_move(); tick && *tick >= trimmed_from_.value_or(0)) {
             put_state_at(*tick);
         } else {
-            answer(Event::Kind::kUndoneAll);
+            answer_by(event::UndoneAll{});
         }
     });
 }
@@ -449,10 +449,9 @@ void KioskKeeper::begin_jar(std::string target) {
 
 void KioskKeeper::set_aside() {
     tasks_.post([this] {
-        if (arriving_) return answer(Event::Kind::kJarStays);
+        if (arriving_) return answer_by(event::JarStays{});
         if (!history_.is_whole() || history_.state().studio() == nullptr)
-            return answer(Event::Kind::kJarStays,
-                          "jar: a tick's record was lost; the bowl stays on the wheel");
+            return answer_by(event::JarStays{}, "jar: a tick's record was lost; the bowl stays on the wheel");
         auto bowl = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()));
         complain(jar_.set_aside(std::move(history_)));
         journalled_run_.reset();  // it is on the disk as a whole
@@ -467,26 +466,25 @@ void KioskKeeper::hold_together(double mouth_mm) {
     tasks_.post([this, mouth_mm] {
         const clay::StudioClay* const second = history_.state().studio();
         if (!jar_.has_bowl() || !history_.is_whole() || second == nullptr || arriving_)
-            return answer(Event::Kind::kJarStays);
+            return answer_by(event::JarStays{});
         const auto rims_mm = jar_.rims_mm(*second, mouth_mm);
-        if (!rims_mm) return answer(Event::Kind::kRimsApart, "jar: " + rims_mm.error().message);
-        answer({.what = Event{Event::Kind::kRims, kiosk::Button::kNone,
-                              static_cast<int>(std::lround(*rims_mm))}});
+        if (!rims_mm) return answer_by(event::RimsApart{}, "jar: " + rims_mm.error().message);
+        answer_by(event::Rims{static_cast<int>(std::lround(*rims_mm))});
     });
 }
 
 void KioskKeeper::join_bowls(const JarJoin& join) {
     tasks_.post([this, join] {
-        if (!jar_.has_bowl() || !history_.is_whole() || arriving_) return answer(Event::Kind::kJarStays);
+        if (!jar_.has_bowl() || !history_.is_whole() || arriving_) return answer_by(event::JarStays{});
         auto jar = jar_.join(history_, join);
-        if (!jar) return answer(Event::Kind::kJarStays, "jar: " + jar.error().message);
+        if (!jar) return answer_by(event::JarStays{}, "jar: " + jar.error().message);
         if (!job_.put(std::make_unique<haptic::HapticState>(jar->state()), run_)) {
             history_ = jar_.take_back();
-            return answer(Event::Kind::kJarStays);
+            return answer_by(event::JarStays{});
         }
         history_ = haptic::History(start_, parameters_, {.aside = visits_});  // until the jar's is there
         arriving_ = std::move(*jar);
-        answer(Event::Kind::kJoined);
+        answer_by(event::Joined{});
     });
 }
 

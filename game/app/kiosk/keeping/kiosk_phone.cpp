@@ -182,10 +182,10 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
 void KioskPhone::share_now(const PotToShare& kept) {
     auto way = shared(kept);
     if (!way)
-        return answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShareFailed, kept.gallery_name},
+        return answer({.what = PhoneAnswer::OfPot{kiosk::ShareOutcome::kFailed, kept.gallery_name},
                        .words = "sharing: " + way.error().message});
     note({.codes = 1});
-    answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShared, kept.gallery_name,
+    answer({.what = PhoneAnswer::OfPot{kiosk::ShareOutcome::kReady, kept.gallery_name,
                                        std::make_shared<const screens::PhoneWay>(std::move(*way))}});
 }
 
@@ -194,7 +194,7 @@ void KioskPhone::withdraw(std::string gallery_name) {
         if (auto opened = open(); !opened) return;
         const auto gone = outbox_->withdraw_named(name);
         if (!gone) return answer({.words = "sharing: " + gone.error().message});
-        if (*gone) answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShareOver, name}});
+        if (*gone) answer({.what = PhoneAnswer::OfPot{kiosk::ShareOutcome::kOver, name}});
     });
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "game/finish/glaze.h"
+#include "game/heritage/jar.h"
 
 namespace onggi::app {
 namespace {
@@ -46,22 +47,6 @@ constexpr std::array kRelatives{Known{"moon-jar-bm", "pot.moon", "", "date.joseo
                                 Known{"onggi-vat-chang", "pot.vat", "", "date.joseon19", 3}};
 constexpr int kBareGlaze = 5;
 
-std::vector<vec2> outline_of(const heritage::Target& target, double scale) {
-    constexpr int kSteps = 40;
-    std::vector<vec2> outline;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double y_mm = target.height_mm * i / kSteps;
-        outline.push_back(vec2(target.radius_at(y_mm) * scale, y_mm * scale));
-    }
-    return outline;
-}
-
-// A lump, and the walls that come of it.
-heritage::ThrownClay visitors_clay() {
-    constexpr double kVisitorsWallMm = 8.0;
-    return {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm};
-}
-
 const Known* known_of(const heritage::Target& target) {
     const auto has_id = [&](const Known& one) { return one.id == target.id; };
     const auto shown = std::find_if(kShown.begin(), kShown.end(), has_id);
@@ -96,10 +81,10 @@ screens::Exhibit exhibit_of(const heritage::Target& target, const Known* known, 
     exhibit.date_key = known != nullptr ? known->date_key : target.culture_date;
     exhibit.height_mm = target.height_mm;
     exhibit.diameter_mm = target.max_diameter_mm.value_or(0.0);
-    const heritage::ThrownSize size = size_on_this_wheel(target);
+    const heritage::ThrownSize size = heritage::size_on_this_wheel(target);
     if (size.fraction < 1.0) exhibit.part = size.part;
     exhibit.glaze = known != nullptr ? known->glaze : kBareGlaze;
-    exhibit.shape = pot::hollowed(outline_of(target, 1.0), kWallMm, kFloorMm);
+    exhibit.shape = pot::hollowed(heritage::outline_of(target, 1.0), kWallMm, kFloorMm);
     exhibit.card = card_of(target, words);
     return exhibit;
 }
@@ -129,19 +114,6 @@ std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& 
     for (const heritage::Target& target : targets)
         relatives.push_back(exhibit_of(target, known_of(target), words));
     return relatives;
-}
-
-heritage::JarOfTwo jar_of(const heritage::Target& target) {
-    return heritage::jar_of_two(target, clay::ClayBody::kStoneware, visitors_clay());
-}
-
-heritage::ThrownSize size_on_this_wheel(const heritage::Target& target) {
-    if (heritage::is_of_two_bowls(target)) return jar_of(target).size;
-    return heritage::thrown_size(target, clay::ClayBody::kStoneware, visitors_clay());
-}
-
-std::vector<vec2> wet_outline(const heritage::Target& target) {
-    return outline_of(target, size_on_this_wheel(target).wet_scale);
 }
 
 }  // namespace onggi::app

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "game/heritage/card.h"
-#include "game/heritage/jar.h"
 #include "game/heritage/target.h"
 #include "game/kiosk/strings.h"
 #include "game/screens/page/view.h"
@@ -28,13 +27,5 @@ struct ExhibitWords {
 // All of them, in the tables' order; those that the program has no words for speak for themselves.
 [[nodiscard]] std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets,
                                                          const ExhibitWords& words);
-// As large as the lump on the wheel allows, with the walls that a visitor leaves: what is shown can be
-// thrown.
-// A jar of two bowls out of two lumps.
-[[nodiscard]] heritage::ThrownSize size_on_this_wheel(const heritage::Target& target);
-// Its outline at the size at which it is thrown, wet: radius and height from below.
-[[nodiscard]] std::vector<vec2> wet_outline(const heritage::Target& target);
-// What each of its bowls is. Precondition: heritage::is_of_two_bowls().
-[[nodiscard]] heritage::JarOfTwo jar_of(const heritage::Target& target);
 
 }  // namespace onggi::app

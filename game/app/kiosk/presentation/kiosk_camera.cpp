@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/screens/page/layout.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
 namespace {
@@ -138,7 +139,8 @@ CameraRequest KioskCamera::request(const kiosk::State& state, bool shows_room, d
                                    const BackgroundSight& sight) {
     CameraRequest request;
     const Framer framer(sight, state.comfort);
-    if (state.screen == kiosk::Screen::kAttract || state.screen == kiosk::Screen::kFault) {
+    const visit::Step& step = visit::step_of(state.screen);
+    if (step.camera == visit::Camera::kAttract) {
         fitted_mm_ = 0.0;
         request.framing = framer.attracting();
         request.sways = shows_room && !state.comfort.still;
@@ -147,18 +149,17 @@ CameraRequest KioskCamera::request(const kiosk::State& state, bool shows_room, d
     // A pot that sinks a little keeps its room.
     if (pot_mm > fitted_mm_ || pot_mm < fitted_mm_ - 2.5 * kFitStepMm)
         fitted_mm_ = std::max(kLeastFitMm, kFitStepMm * std::ceil(pot_mm / kFitStepMm));
-    if (state.screen == kiosk::Screen::kThrow && state.throwing.looks_in) {
+    if (step.finger == visit::Finger::kClay && state.throwing.looks_in) {
         request.view = View::kLookingIn;
         request.framing = framer.looking_in(fitted_mm_);
         return request;
     }
-    if (state.screen == kiosk::Screen::kDecorate && !state.comfort.reach) {
+    if (step.camera == visit::Camera::kNear && !state.comfort.reach) {
         request.framing = framer.decorating(fitted_mm_);
         return request;
     }
-    const bool throws = state.screen == kiosk::Screen::kThrow || state.screen == kiosk::Screen::kJoin ||
-                        state.screen == kiosk::Screen::kTrim || state.screen == kiosk::Screen::kDecorate;
-    request.framing = framer.throwing(fitted_mm_, throws && state.comfort.reach);
+    const bool is_low = step.camera != visit::Camera::kFar && state.comfort.reach;
+    request.framing = framer.throwing(fitted_mm_, is_low);
     return request;
 }
 

@@ -5,12 +5,12 @@
 
 #include "engine/ui/painter.h"
 #include "game/app/kiosk/finger/kiosk_finger.h"
-#include "game/app/kiosk/presentation/exhibits.h"
 #include "game/clay/studio/load.h"
 #include "game/clay/studio/pot.h"
 #include "game/clay/studio/studio_parameters.h"
 #include "game/finish/glaze.h"
 #include "game/heritage/advice.h"
+#include "game/heritage/jar.h"
 
 namespace onggi::app {
 namespace {
@@ -133,7 +133,7 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
     const heritage::Target& target = targets[beside];
     const heritage::Advice advice = heritage::advise(
         form, target,
-        pot.is_after_relative ? std::optional(size_on_this_wheel(target).fraction) : std::nullopt);
+        pot.is_after_relative ? std::optional(heritage::size_on_this_wheel(target).fraction) : std::nullopt);
     pot.relative = {relatives, &(*relatives)[beside]};
     pot.good_key = heritage::good_key(advice);
     pot.next_key = heritage::next_key(advice);

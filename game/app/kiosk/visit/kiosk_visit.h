@@ -7,17 +7,17 @@
 #include <string>
 
 #include "game/app/kiosk/staff/staff_desk.h"
-#include "game/app/kiosk/visit/visit_drawing.h"
 #include "game/app/kiosk/visit/visit_effects.h"
 #include "game/app/kiosk/visit/visit_input.h"
-#include "game/app/kiosk/visit/visit_jar.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/app/kiosk/visit/visit_scene.h"
 #include "game/app/kiosk/visit/visit_screens.h"
-#include "game/app/kiosk/visit/visit_trim.h"
 #include "game/app/kiosk/visit/visit_wheel.h"
 #include "game/app/system/report.h"
 #include "game/screens/stage.h"
+#include "game/visit/decorate/visit_drawing.h"
+#include "game/visit/jar/visit_jar.h"
+#include "game/visit/trim/visit_trim.h"
 
 namespace onggi::app {
 
@@ -56,9 +56,9 @@ class KioskVisit final : private VisitFlow {
     kiosk::State state_;
     StaffDesk desk_;
     VisitWheel wheel_;
-    VisitDrawing drawing_;
-    VisitJar jar_;
-    VisitTrim trim_;
+    visit::VisitDrawing drawing_;
+    visit::VisitJar jar_;
+    visit::VisitTrim trim_;
     VisitInput input_;
     VisitEffects effects_;
     VisitScene scene_;

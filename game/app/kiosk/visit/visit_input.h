@@ -8,10 +8,10 @@
 #include "game/app/devices/gamepad_finger.h"
 #include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/app/kiosk/finger/kiosk_pointer.h"
-#include "game/app/kiosk/visit/visit_drawing.h"
-#include "game/app/kiosk/visit/visit_jar.h"
 #include "game/app/kiosk/visit/visit_parts.h"
-#include "game/app/kiosk/visit/visit_trim.h"
+#include "game/visit/decorate/visit_drawing.h"
+#include "game/visit/jar/visit_jar.h"
+#include "game/visit/trim/visit_trim.h"
 
 namespace onggi::app {
 
@@ -21,8 +21,8 @@ namespace onggi::app {
 class VisitInput {
   public:
     // All outlive it.
-    VisitInput(const VisitParts& parts, KioskFinger& finger, VisitDrawing& drawing, const VisitJar& jar,
-               const VisitTrim& trim, VisitFlow& flow)
+    VisitInput(const VisitParts& parts, KioskFinger& finger, visit::VisitDrawing& drawing,
+               const visit::VisitJar& jar, const visit::VisitTrim& trim, VisitFlow& flow)
         : parts_(parts),
           finger_(finger),
           drawing_(drawing),
@@ -56,9 +56,9 @@ class VisitInput {
 
     const VisitParts& parts_;
     KioskFinger& finger_;
-    VisitDrawing& drawing_;
-    const VisitJar& jar_;
-    const VisitTrim& trim_;
+    visit::VisitDrawing& drawing_;
+    const visit::VisitJar& jar_;
+    const visit::VisitTrim& trim_;
     VisitFlow& flow_;
     KioskPointer pointer_;
     GamepadFinger gamepads_;

@@ -5,20 +5,16 @@
 #include <utility>
 
 #include "game/screens/page/layout.h"
+#include "game/visit/throw/throw.h"
 
 namespace onggi::app {
 
 // Over a wall that covers the scene the camera goes where it will be wanted next, unseen.
 void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown,
                             bool covered) {
-    const bool will_cover = state.screen != kiosk::Screen::kAttract &&
-                            state.screen != kiosk::Screen::kThrow && state.screen != kiosk::Screen::kJoin &&
-                            state.screen != kiosk::Screen::kTrim &&
-                            state.screen != kiosk::Screen::kDecorate &&
-                            state.screen != kiosk::Screen::kFailure && state.screen != kiosk::Screen::kResume;
     if (shown == nullptr || covered) parts_.view.jump();
     parts_.view.move_less(state.comfort.still);
-    if (will_cover && !covered) return;
+    if (!visit::step_of(state.screen).shows_scene && !covered) return;
     const BackgroundSight sight{
         .width_px = parts_.view.width(),
         .height_px = parts_.view.height(),
@@ -59,7 +55,7 @@ SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& momen
 std::optional<screens::ForceFrame> VisitScene::forces(const kiosk::State& state,
                                                       const haptic::Snapshot& snapshot,
                                                       const wheel::WheelView& shown) const {
-    if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
+    if (visit::open_finger(state) != visit::Finger::kClay) return std::nullopt;
     const bool asked = state.comfort.forces;
     if (!asked && state.throwing.steps_done >= kiosk::kTeachingSteps) return std::nullopt;
     return forces_.frame(snapshot, shown, sight_of(parts_.view), asked);
@@ -68,8 +64,8 @@ std::optional<screens::ForceFrame> VisitScene::forces(const kiosk::State& state,
 // The clay where it carries most.
 std::optional<screens::Band> VisitScene::warning_band(const kiosk::State& state,
                                                       const haptic::Snapshot& snapshot) const {
-    if (state.screen != kiosk::Screen::kThrow || state.throwing.warning == kiosk::Warning::kNone)
-        return std::nullopt;
+    const bool is_clay = visit::step_of(state.screen).finger == visit::Finger::kClay;
+    if (!is_clay || state.throwing.warning == kiosk::Warning::kNone) return std::nullopt;
     constexpr double kHalfHeightMm = 11.0;
     const double middle_mm = std::clamp(snapshot.load.height_mm, kHalfHeightMm,
                                         std::max(kHalfHeightMm, snapshot.pot->height_mm - kHalfHeightMm));
@@ -96,7 +92,7 @@ std::optional<screens::Band> VisitScene::band_round(const pot::Pot& shape, doubl
 
 std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const VisitMoment& moment,
                                             const screens::Stage& stage) {
-    if (drawing_is_open(state)) {
+    if (visit::open_finger(state) == visit::Finger::kBrush) {
         if (!input_.keys_lead() && stage.target_at(input_.pointer().at_px()) >= 0) return std::nullopt;
         screens::Cue dot{.ring = drawing_.ring(input_.keys_lead())};
         return dot.ring.empty() ? std::nullopt : std::optional(dot);
@@ -105,7 +101,7 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
         auto belt = band_round(trim_.pot(), foot->low_mm, foot->high_mm);
         return belt ? std::optional(screens::Cue{.belt = std::move(*belt)}) : std::nullopt;
     }
-    if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
+    if (visit::open_finger(state) != visit::Finger::kClay) return std::nullopt;
     const pot::Pot& shape = *moment.snapshot.pot;
     if (const auto wire_mm = wheel_.finger().wire_mm()) {
         // Where it would cut: a line, and not a belt.
@@ -122,7 +118,7 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
     if (input_.keys_lead()) marker_mm = wheel_.finger().marker_mm();
     std::optional<int> wanted;
     const bool holds_tool = state.throwing.held != tool::Tool::kHand;
-    if (kiosk::shows_hint(state, moment.now_s, parts_.settings.rules) && !holds_tool)
+    if (visit::shows_hint(state, moment.now_s, parts_.settings.rules) && !holds_tool)
         wanted = state.throwing.steps_done;
     const auto place = cue_.look({.now_s = moment.now_s,
                                   .shape = shape,

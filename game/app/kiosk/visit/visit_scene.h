@@ -26,7 +26,7 @@ class VisitScene {
   public:
     // All outlive it.
     VisitScene(const VisitParts& parts, const VisitWheel& wheel, const VisitInput& input,
-               const VisitDrawing& drawing, const VisitTrim& trim)
+               const visit::VisitDrawing& drawing, const visit::VisitTrim& trim)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
@@ -60,8 +60,8 @@ class VisitScene {
     const VisitParts& parts_;
     const VisitWheel& wheel_;
     const VisitInput& input_;
-    const VisitDrawing& drawing_;
-    const VisitTrim& trim_;
+    const visit::VisitDrawing& drawing_;
+    const visit::VisitTrim& trim_;
     KioskCamera camera_;
     CameraRequest aimed_;  // as the view was last told
     KioskCue cue_;

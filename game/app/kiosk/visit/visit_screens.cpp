@@ -6,6 +6,8 @@
 
 #include "game/app/kiosk/visit/bench_tools.h"
 #include "game/screens/page/legibility.h"
+#include "game/visit/finish/finish.h"
+#include "game/visit/flow/flow.h"
 
 namespace onggi::app {
 namespace {
@@ -24,15 +26,19 @@ bool are_near(const std::vector<std::vector<vec2>>& x, const std::vector<std::ve
     });
 }
 
-}  // namespace
-
-bool kiln_burns(const kiosk::State& state) {
-    return state.screen == kiosk::Screen::kFiring && state.firing == kiosk::FiringStage::kFire &&
-           state.panel == kiosk::Panel::kNone;
+bool is_for_nobody(const kiosk::ScreenState& state) {
+    return visit::step_of(state.screen).whose == visit::Whose::kNobody;
 }
 
+// Also under a panel.
+bool works_clay(const kiosk::ScreenState& state) {
+    return visit::step_of(state.screen).finger == visit::Finger::kClay;
+}
+
+}  // namespace
+
 bool VisitScreens::is_closed(const kiosk::State& state) const {
-    return state.screen == kiosk::Screen::kAttract && state.panel == kiosk::Panel::kNone &&
+    return is_for_nobody(state) && state.panel == kiosk::Panel::kNone &&
            !kiosk::is_open(parts_.settings.config, parts_.minute_of_day());
 }
 
@@ -48,8 +54,8 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     view.distance_mm = config.screen.distance_mm;
     view.own_digits = config.languages.own_digits;
     view.seconds_left = state.panel == kiosk::Panel::kIdle
-                            ? kiosk::seconds_left(state, parts_.settings.rules.countdown_s, moment.now_s)
-                        : state.panel == kiosk::Panel::kPin ? kiosk::pin_seconds_left(state, moment.now_s)
+                            ? visit::seconds_left(state, parts_.settings.rules.countdown_s, moment.now_s)
+                        : state.panel == kiosk::Panel::kPin ? visit::pin_seconds_left(state, moment.now_s)
                                                             : 0;
     view.countdown_s = parts_.settings.rules.countdown_s;
     view.languages = parts_.settings.languages;
@@ -60,15 +66,15 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     add_shelf(view, state);
     view.focus = pointer_.focus();
     view.scans = pointer_.scans();
-    if (config.sound.captions && state.screen == kiosk::Screen::kThrow) view.heard = caption(moment);
-    if (config.sound.captions && kiln_burns(state)) view.heard = "cap.kiln";
+    if (config.sound.captions && works_clay(state)) view.heard = caption(moment);
+    if (config.sound.captions && visit::kiln_burns(state)) view.heard = "cap.kiln";
     add_attract(view, state, moment.now_s);
     view.can_look_in = parts_.view.project_framed(wheel::View::kLookingIn, {}, dvec3(0.0)).has_value();
     view.scene_edges_px = vec3(edges.left, edges.top, edges.right);
     add_scene(view, state, moment.snapshot);
     add_aside(view);
     add_wire(view, moment.snapshot, wire_mm);
-    if (state.screen == kiosk::Screen::kThrow && state.throwing.tray) view.bench = bench_tools(parts_, state);
+    if (works_clay(state) && state.throwing.tray) view.bench = bench_tools(parts_, state);
     if (state.panel == kiosk::Panel::kStaff) {
         desk_.add_to(view, moment.snapshot);
     } else {
@@ -81,7 +87,7 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
 }
 
 void VisitScreens::add_attract(screens::View& view, const kiosk::State& state, double now_s) const {
-    if (state.screen != kiosk::Screen::kAttract) return;
+    if (!is_for_nobody(state)) return;
     const bool has_wall = effects_.wall() && !effects_.wall()->empty() && !is_closed(state);
     const double pot_s = view.exhibits->empty() ? 0.0 : kAttractPotS;
     const double wall_s = has_wall ? kAttractWallS : 0.0;
@@ -135,7 +141,7 @@ bool VisitScreens::is_asked(screens::View& view) const {
 
 void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
                              const haptic::Snapshot& snapshot) const {
-    if (state.screen != kiosk::Screen::kThrow) return;
+    if (!works_clay(state)) return;
     const auto seen = [&](const dvec3& place_mm) {
         const auto px = parts_.view.project(place_mm);
         return px ? vec2(*px) : vec2(0.0F);
@@ -186,7 +192,7 @@ void VisitScreens::add_aside(screens::View& view) const {
 
 void VisitScreens::add_wire(screens::View& view, const haptic::Snapshot& snapshot,
                             const std::optional<double>& wire_mm) const {
-    if (!wire_mm || view.state.screen != kiosk::Screen::kThrow) return;
+    if (!wire_mm || !works_clay(view.state)) return;
     constexpr double kBesideMm = 90.0;
     const auto px = parts_.view.project({kBesideMm, *wire_mm, 0.0});
     if (!px) return;
