@@ -90,12 +90,16 @@ double VisitJar::height_mm(const haptic::Snapshot& snapshot) const {
     return snapshot.pot->height_mm + (is_both ? bowl_->height_mm : 0.0);
 }
 
-void VisitJar::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) {
-    if (flow_.state().screen != kiosk::Screen::kJoin || !bowl_) return;
-    both_ = pot::stacked(*snapshot.pot, *bowl_, vec2(join(snapshot.wheel_direction).shift_mm));
-    shown.pot = &both_;
-    shown.contacts = 0;
-    shown.peak_load = 0.0;
+void VisitJar::show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot) {
+    ecs::Registry& registry = scene.registry();
+    if (!bowl_) return registry.destroy(in_scene_);
+    if (!registry.alive(in_scene_)) in_scene_ = registry.create();
+    registry.add(in_scene_, wheel::PotApart{.pot = bowl_.get()});
+    if (flow_.state().screen == kiosk::Screen::kJoin) {
+        registry.add(in_scene_, wheel::HeldOver{vec2(join(snapshot.wheel_direction).shift_mm)});
+    } else {
+        registry.remove<wheel::HeldOver>(in_scene_);
+    }
 }
 
 }  // namespace onggi::app

@@ -8,7 +8,7 @@
 
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/pot/section.h"
-#include "game/wheel/wheel_view.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::app {
 
@@ -33,8 +33,8 @@ class VisitJar {
     [[nodiscard]] JarJoin join(const dvec2& heading) const;
     // Of what is seen on the wheel.
     [[nodiscard]] double height_mm(const haptic::Snapshot& snapshot) const;
-    // Both bowls, while they are held together.
-    void show(wheel::WheelView& shown, const haptic::Snapshot& snapshot);
+    // The bowl that was set aside is in the scene; over the clay while they are held together.
+    void show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot);
 
   private:
     [[nodiscard]] const heritage::Target* target() const;
@@ -43,7 +43,7 @@ class VisitJar {
     VisitFlow& flow_;
     std::shared_ptr<const pot::Pot> bowl_;
     std::shared_ptr<const pot::Section> bowl_section_;
-    pot::Pot both_;
+    ecs::Entity in_scene_;  // the bowl
 };
 
 }  // namespace onggi::app
