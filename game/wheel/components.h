@@ -11,7 +11,6 @@
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
 #include "game/pot/pot.h"
-#include "game/wheel/framing.h"
 #include "game/wheel/shavings.h"
 #include "game/wheel/tool_models.h"
 #include "game/wheel/tool_pose.h"

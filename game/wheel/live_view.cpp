@@ -6,8 +6,8 @@
 
 #include "engine/jobs/thread_setup.h"
 #include "engine/window/window.h"
-#include "game/wheel/background_loader.h"
 #include "game/wheel/live_screen.h"
+#include "game/wheel/workshop_files.h"
 
 namespace onggi::wheel {
 

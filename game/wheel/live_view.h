@@ -18,7 +18,6 @@
 #include "engine/window/events.h"
 #include "engine/window/gamepad.h"
 #include "game/haptic/messages.h"
-#include "game/wheel/framing.h"
 #include "game/wheel/wheel_scene.h"
 #include "game/wheel/workshop_files.h"
 

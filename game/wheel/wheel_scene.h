@@ -14,7 +14,7 @@
 #include "engine/render/scene.h"
 #include "game/haptic/messages.h"
 #include "game/wheel/components.h"
-#include "game/wheel/room_model.h"
+#include "game/wheel/workshop.h"
 
 namespace onggi::wheel {
 

@@ -1,5 +1,5 @@
 // A window that becomes another shape: the backgrounds of that shape come beside the frame.
-#include "game/wheel/background_loader.h"
+#include "game/wheel/workshop_files.h"
 
 #include <gtest/gtest.h>
 
