@@ -10,7 +10,7 @@
 #include "engine/render/byte_order.h"
 #include "engine/render/pixels/lathe_corners.h"
 #include "engine/render/scene.h"
-#include "engine/render/shapes/lathe_profile.h"
+#include "engine/render/shapes/lathe_mesh.h"
 
 namespace onggi::render {
 

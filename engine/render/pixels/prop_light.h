@@ -8,7 +8,7 @@
 
 #include "engine/render/byte_order.h"
 #include "engine/render/pixels/prop_pixels.h"
-#include "engine/render/shapes/lathe_profile.h"
+#include "engine/render/shapes/lathe_mesh.h"
 
 namespace onggi::render {
 
