@@ -1,6 +1,6 @@
 // The shader that does the same is drawn beside it by tests/golden/backends_agree_test.cpp; here, light whose
 // answer is known.
-#include "engine/render/pixels/lathe_corners.h"
+#include "engine/render/pixels/lathe_pixels.h"
 
 #include <gtest/gtest.h>
 
