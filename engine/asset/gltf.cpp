@@ -18,8 +18,8 @@
 namespace onggi::asset {
 namespace {
 
-// Appends the values' bytes as a buffer view of their own and gives its index. GLB is little-endian, as are
-// all machines this builds for. Views start at multiples of four, which covers every component type.
+// Appends the values' bytes as a new buffer view. Returns its index. GLB is little-endian, as are all
+// machines this builds for. Views start at multiples of four, which covers every component type.
 template <typename T>
 int add_view(tinygltf::Model& model, const std::vector<T>& values, int target) {
     std::vector<unsigned char>& data = model.buffers[0].data;
@@ -47,7 +47,7 @@ int add_accessor(tinygltf::Model& model, int view, int component_type, int type,
 }
 
 int add_vectors(tinygltf::Model& model, const std::vector<vec3>& vectors) {
-    static_assert(sizeof(vec3) == 3 * sizeof(float), "written as it lies in memory");
+    static_assert(sizeof(vec3) == 3 * sizeof(float), "written as laid out in memory");
     const int view = add_view(model, vectors, TINYGLTF_TARGET_ARRAY_BUFFER);
     return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, vectors.size());
 }
@@ -58,7 +58,7 @@ int add_attribute(tinygltf::Model& model, const std::vector<Vector>& vectors, in
     return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, type, vectors.size());
 }
 
-// The picture as a texture of the model; its number.
+// Adds the picture as a texture of the model. Returns its index.
 int add_texture(tinygltf::Model& model, const std::vector<std::byte>& file) {
     constexpr int kNoTarget = 0;
     constexpr std::byte kStartOfPng{0x89};
@@ -81,7 +81,7 @@ int add_texture(tinygltf::Model& model, const std::vector<std::byte>& file) {
     return static_cast<int>(model.textures.size()) - 1;
 }
 
-// The bounds are those of the floats themselves: glTF 2.0, section 3.6.2.5, wants them exact.
+// The bounds are computed from the stored floats: glTF 2.0, section 3.6.2.5, requires them to be exact.
 void set_bounds(tinygltf::Accessor& accessor, const std::vector<vec3>& vectors) {
     vec3 low(std::numeric_limits<float>::max());
     vec3 high(std::numeric_limits<float>::lowest());
@@ -106,8 +106,8 @@ int add_indices(tinygltf::Model& model, const Mesh& mesh) {
                         mesh.indices.size());
 }
 
-// What is not looked at is not written: places in pictures only with pictures, tangents only with one of
-// normals, without which viewers would make up their own.
+// Writes texture coordinates only with textures, and tangents only with a normal texture; without tangents
+// viewers would compute their own.
 void add_mesh(tinygltf::Model& model, const Mesh& mesh, const Textures& textures, const std::string& name) {
     tinygltf::Primitive primitive;
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -159,7 +159,8 @@ void add_material(tinygltf::Model& model, const Material& material) {
     model.materials.push_back(std::move(out));
 }
 
-// The value as JSON; nothing for a number that JSON has no word for (the library would write null).
+// Converts the value to JSON. Empty for NaN and infinity, which JSON cannot express (the library would write
+// null).
 std::optional<tinygltf::Value> json_of(const std::variant<double, std::string, std::vector<double>>& value) {
     if (const double* number = std::get_if<double>(&value)) {
         if (!std::isfinite(*number)) return std::nullopt;

@@ -1,6 +1,5 @@
-// Writes glTF 2.0 in its binary form, GLB (ISO/IEC 12113). Any thread; gives bytes and touches no file:
-// tinygltf 2.7 reports success for a file that it could not open, so putting bytes on a disk is for
-// engine/files.
+// Writes glTF 2.0 in its binary form, GLB (ISO/IEC 12113). Any thread; returns bytes and touches no file:
+// tinygltf 2.7 reports success for a file that it could not open, so engine/files writes the bytes.
 #pragma once
 
 #include <cstddef>
@@ -16,17 +15,17 @@ namespace onggi::asset {
 
 // A second, clear layer over a material: water or glaze (KHR_materials_clearcoat, ratified).
 struct Clearcoat {
-    double factor = 0.0;  // 0: none, and the file does without the extension
+    double factor = 0.0;  // 0: no coat, and the file omits the extension
     double roughness = 0.0;
 };
 
-// The pictures that a material wears, whole files (PNG or JPEG), laid by the mesh's uvs; empty ones are not
-// there. What they say is times the material's numbers.
+// The material's textures, as whole files (PNG or JPEG), mapped by the mesh's uvs; empty: no texture. Their
+// values are multiplied by the material's factors.
 struct Textures {
     std::vector<std::byte> base_colour{};  // sRGB
     std::vector<std::byte> normal{};       // tangent space, green up
     std::vector<std::byte> surface{};      // red: occlusion, green: roughness, blue: metal
-    std::vector<std::byte> clearcoat{};    // red: how much of it
+    std::vector<std::byte> clearcoat{};    // red: amount of clearcoat
 
     [[nodiscard]] bool are_there() const {
         return !base_colour.empty() || !normal.empty() || !surface.empty() || !clearcoat.empty();
@@ -43,7 +42,7 @@ struct Material {
     Textures textures = {};
 };
 
-// A field of asset.extras: what a museum's database may read without a 3D library.
+// A field of asset.extras, which a museum's database can read without a 3D library.
 using Extra = std::pair<std::string, std::variant<double, std::string, std::vector<double>>>;
 
 // One mesh of one material at the origin of one scene.
@@ -56,8 +55,8 @@ struct GltfContent {
 };
 
 // The same content gives the same bytes. Indices take 16 bits while the vertices allow it. kBadInput if the
-// mesh is empty, an index points past the vertices, there is not one normal a vertex, or a number is not
-// finite; kFailed if the library fails.
+// mesh is empty, an index points past the vertices, the number of normals differs from that of vertices, or a
+// number is not finite; kFailed if the library fails.
 Result<std::vector<std::byte>> encode_glb(const GltfContent& content);
 
 }  // namespace onggi::asset

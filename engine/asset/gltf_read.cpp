@@ -1,8 +1,7 @@
-// See gltf_read.h. tinygltf parses; what it does not check is checked here. Any thread.
+// See gltf_read.h. tinygltf parses; this file checks what tinygltf does not. Any thread.
 #include "engine/asset/gltf_read.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -12,11 +11,13 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/asset/mesh_rules.h"
 #include "engine/asset/utf8.h"
 #include "engine/core/little_endian.h"
+#include "engine/core/quote.h"
 #include "engine/core/result.h"
 
 namespace tinygltf {
@@ -26,9 +27,9 @@ class Model;
 namespace onggi::asset {
 namespace {
 
-// Numbers out of a glTF accessor, checked against the bytes that are really there. Any thread.
+// Reads numbers from a glTF accessor, with bounds checks. Any thread.
 
-// Where an accessor's elements lie, all of them inside their buffer.
+// The location of an accessor's elements, all inside their buffer.
 struct Elements {
     const unsigned char* first = nullptr;
     std::size_t count = 0;
@@ -38,7 +39,7 @@ struct Elements {
     bool normalised = false;
 };
 
-// An index as tinygltf keeps it: -1 and anything else beyond the list means none.
+// tinygltf's indices: -1, or any index beyond the list, means none.
 template <typename T>
 const T* at(const std::vector<T>& list, int index) {
     return index >= 0 && static_cast<std::size_t>(index) < list.size()
@@ -69,7 +70,7 @@ Result<Elements> locate(const tinygltf::Model& model, int index, std::size_t max
     }
     constexpr std::size_t kMaxStride = 252;  // glTF 2.0, section 5.11
     if (stride < element_bytes || stride > kMaxStride) return wrong("elements that do not overlap");
-    // Offsets are 64 bits wide and may be anything: compare by subtracting from what is there.
+    // Offsets have 64 bits and any value: subtract from the size instead of adding, to avoid overflow.
     const std::size_t held = buffer->data.size();
     const std::size_t needed = (accessor->count - 1) * stride + element_bytes;
     const bool is_inside = view->byteOffset <= held && view->byteLength <= held - view->byteOffset &&
@@ -97,7 +98,7 @@ float scaled(const unsigned char* from, bool normalised) {
     return normalised ? value / static_cast<float>(std::numeric_limits<T>::max()) : value;
 }
 
-// How many numbers an element has; 0 where there is no such accessor.
+// Returns the numbers per element; 0 if there is no such accessor.
 int accessor_width(const tinygltf::Model& model, int accessor) {
     const tinygltf::Accessor* found = at(model.accessors, accessor);
     return found == nullptr
@@ -105,8 +106,8 @@ int accessor_width(const tinygltf::Model& model, int accessor) {
                : std::max(0, tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(found->type)));
 }
 
-// Elements of `accessor`, each `width` numbers (1 to 4), one after another. Integers are taken as they are,
-// or as 0 to 1 where the accessor is normalised. Error texts have no file name yet.
+// Reads the elements of `accessor`, each of `width` numbers (1 to 4), into one list. Integers are kept, or
+// scaled to 0 to 1 if the accessor is normalised. Errors have no file name yet.
 Result<std::vector<float>> read_floats(const tinygltf::Model& model, int accessor, int width,
                                        std::size_t max_count) {
     const auto located = locate(model, accessor, max_count);
@@ -170,13 +171,13 @@ Result<std::vector<std::uint32_t>> read_indices(const tinygltf::Model& model, in
     return indices;
 }
 
-constexpr std::size_t kGlbHeaderBytes = 20;  // of the file and of its first chunk
+constexpr std::size_t kGlbHeaderBytes = 20;  // headers of the file and of its first chunk
 
 std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
     return little_endian::get<std::uint32_t>(bytes.data() + offset);
 }
 
-// The library walks JSON by recursion: brackets that open deeper than any glTF needs must not reach it.
+// The library parses JSON recursively: deeper nesting than any glTF needs must not reach it.
 bool nests_deeper_than(std::span<const std::byte> json, int max_depth) {
     int depth = 0;
     bool in_string = false;
@@ -217,7 +218,7 @@ Result<void> check_header(std::span<const std::byte> bytes, const GltfLimits& li
     return {};
 }
 
-// Nothing outside the file is opened, whatever its URIs say.
+// Opens no other file, whatever the URIs say.
 tinygltf::FsCallbacks no_files() {
     tinygltf::FsCallbacks callbacks{};
     callbacks.FileExists = [](const std::string&, void*) { return false; };
@@ -232,7 +233,7 @@ tinygltf::FsCallbacks no_files() {
     return callbacks;
 }
 
-// One line out of the library's several.
+// The first line of the library's message.
 std::string first_line(std::string text) {
     const std::size_t start = text.find_first_not_of(" \n\r\t");
     if (start == std::string::npos) return "no reason given";
@@ -262,7 +263,7 @@ Result<tinygltf::Model> parse(std::span<const std::byte> bytes) {
     return bad_input(fmt::format("expected a glTF scene, found a damaged one: {}", first_line(problem)));
 }
 
-// Materials as glTF 2.0, section 3.9.2, gives them, brought within their range.
+// Reads a material (glTF 2.0, section 3.9.2), with values clamped to their ranges.
 Material material_of(const tinygltf::Material& from) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     const auto fraction = [](double value) {
@@ -277,7 +278,7 @@ Material material_of(const tinygltf::Material& from) {
     return material;
 }
 
-// The node's own place; glTF 2.0, section 5.25: a matrix, or translation, rotation and scale.
+// The node's local transform (glTF 2.0, section 5.25): a matrix, or translation, rotation and scale.
 dmat4 place_of(const tinygltf::Node& node) {
     dmat4 place(1.0);
     if (node.matrix.size() == 16) {
@@ -296,7 +297,7 @@ dmat4 place_of(const tinygltf::Node& node) {
     return place;
 }
 
-// Faces weighed by their area, at the vertices that share them.
+// Computes vertex normals, weighted by the area of the adjacent faces.
 void make_normals(Mesh& mesh) {
     std::vector<dvec3> sums(mesh.positions_m.size(), dvec3(0.0));
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -314,8 +315,8 @@ void make_normals(Mesh& mesh) {
 }
 
 void place_mesh(Mesh& mesh, const dmat4& place) {
-    // Normals keep upright under uneven scales by the inverse transpose; a flat node has none, and keeps
-    // them.
+    // Normals transform by the inverse transpose; a singular matrix has no inverse, and then they are
+    // unchanged.
     const dmat3 linear(place);
     const double volume = glm::determinant(linear);
     const dmat3 turn = volume != 0.0 ? glm::transpose(glm::inverse(linear)) : dmat3(1.0);
@@ -347,20 +348,34 @@ class Gathering {
 
     Result<std::vector<GltfPart>> gather() {
         const auto scene = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
-        if (scene >= model_.scenes.size()) return bad_input("expected a scene, found none");
-        for (const int node : model_.scenes[scene].nodes) {
+        if (!model_.scenes.empty() && scene >= model_.scenes.size())
+            return bad_input("expected a scene, found none");
+        for (const int node : model_.scenes.empty() ? roots() : model_.scenes[scene].nodes) {
             if (auto added = add_node(node, dmat4(1.0), 0); !added) return added.error();
         }
         if (parts_.empty()) return bad_input("expected triangles, found none");
         return std::move(parts_);
     }
+    [[nodiscard]] std::vector<std::string> take_left_out() { return std::move(left_out_); }
 
   private:
+    [[nodiscard]] std::vector<int> roots() const {
+        std::vector<bool> is_child(model_.nodes.size(), false);
+        for (const tinygltf::Node& node : model_.nodes)
+            for (const int child : node.children)
+                if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
+                    is_child[static_cast<std::size_t>(child)] = true;
+        std::vector<int> found;
+        for (std::size_t node = 0; node < is_child.size(); ++node)
+            if (!is_child[node]) found.push_back(static_cast<int>(node));
+        return found;
+    }
+
     Result<void> add_node(int index, const dmat4& above, int depth) {
         if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size()) {
             return bad_input(fmt::format("node {}: expected one, found none", index));
         }
-        // A node that is its own ancestor ends here too.
+        // This also ends a cycle of nodes.
         if (depth >= limits_.max_depth || ++visited_ > limits_.max_nodes) {
             return bad_input(fmt::format("expected at most {} nodes, {} deep, found more", limits_.max_nodes,
                                          limits_.max_depth));
@@ -376,9 +391,10 @@ class Gathering {
         if (node.mesh >= 0) {
             if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
                 return bad_input(fmt::format("mesh {}: expected one, found none", node.mesh));
-            for (const tinygltf::Primitive& primitive :
-                 model_.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-                if (auto added = add_primitive(primitive, node.name, place); !added) {
+            const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
+            for (const tinygltf::Primitive& primitive : mesh.primitives) {
+                if (is_left_out(primitive, node.mesh, mesh.name)) continue;
+                if (auto added = add_primitive(primitive, node.name, mesh.name, place); !added) {
                     return bad_input(fmt::format("mesh {}: {}", node.mesh, added.error().message));
                 }
             }
@@ -389,13 +405,27 @@ class Gathering {
         return {};
     }
 
+    // Points and lines have no surface.
+    bool is_left_out(const tinygltf::Primitive& primitive, int index, const std::string& mesh_name) {
+        const bool is_points = primitive.mode == TINYGLTF_MODE_POINTS;
+        if (!is_points && primitive.mode != TINYGLTF_MODE_LINE && primitive.mode != TINYGLTF_MODE_LINE_LOOP &&
+            primitive.mode != TINYGLTF_MODE_LINE_STRIP)
+            return false;
+        std::string words =
+            fmt::format("mesh {}: {}", mesh_name.empty() ? std::to_string(index) : in_quotes(mesh_name),
+                        is_points ? "points" : "lines");
+        if (std::find(left_out_.begin(), left_out_.end(), words) == left_out_.end())
+            left_out_.push_back(std::move(words));
+        return true;
+    }
+
     Result<void> add_primitive(const tinygltf::Primitive& primitive, const std::string& node,
-                               const dmat4& place) {
-        // tinygltf gives -1 where the file leaves it out, which means triangles.
-        if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) {
-            return bad_input(fmt::format("expected triangles, found mode {}", primitive.mode));
-        }
-        GltfPart part{.node = valid_utf8(node), .mesh = {}, .colours = {}, .material = primitive.material};
+                               const std::string& mesh_name, const dmat4& place) {
+        GltfPart part{.node = valid_utf8(node),
+                      .mesh_name = valid_utf8(mesh_name),
+                      .mesh = {},
+                      .colours = {},
+                      .material = primitive.material};
         if (primitive.material >= 0 &&
             static_cast<std::size_t>(primitive.material) >= model_.materials.size()) {
             return bad_input(fmt::format("material {}: expected one, found none", primitive.material));
@@ -415,7 +445,7 @@ class Gathering {
             make_normals(part.mesh);
         }
         if (auto read = read_colours(primitive, vertices, part.colours); !read) return read;
-        // Before they are placed: an index that points nowhere must not be followed.
+        // Check before transforming: an index out of range must not be followed.
         if (auto good = check_mesh(part.mesh); !good) return good;
         place_mesh(part.mesh, place);
         if (auto good = check_mesh(part.mesh); !good) return good;
@@ -425,7 +455,7 @@ class Gathering {
         return {};
     }
 
-    // Nothing where the primitive has no such attribute.
+    // Empty if the primitive has no such attribute.
     Result<std::optional<std::vector<float>>> attribute(const tinygltf::Primitive& primitive,
                                                         const char* name, int width) const {
         const auto found = primitive.attributes.find(name);
@@ -450,6 +480,27 @@ class Gathering {
         const bool is_inside =
             std::all_of(into.begin(), into.end(), [&](std::uint32_t index) { return index < vertices; });
         if (!is_inside) return bad_input("expected indices of vertices, found one past the last");
+        return as_triangles(primitive.mode, most, into);
+    }
+
+    // Strips and fans as single triangles (glTF 2.0, 3.7.2.1); those without an area, which join strips, are
+    // dropped.
+    static Result<void> as_triangles(int mode, std::size_t most, std::vector<std::uint32_t>& indices) {
+        // tinygltf gives -1 where the file leaves the mode out, which means triangles.
+        if (mode == TINYGLTF_MODE_TRIANGLES || mode == -1) return {};
+        if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN)
+            return bad_input(fmt::format("expected triangles, found mode {}", mode));
+        if (indices.size() > most / 3 + 2)
+            return bad_input("expected fewer triangles, found more than the limit");
+        const std::vector<std::uint32_t> row = std::exchange(indices, {});
+        for (std::size_t i = 0; i + 2 < row.size(); ++i) {
+            const bool is_fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+            const std::uint32_t first = is_fan ? row[0] : row[i];
+            const std::uint32_t second = row[i + 1 + (is_fan ? 0 : i % 2)];
+            const std::uint32_t third = row[i + 2 - (is_fan ? 0 : i % 2)];
+            if (first == second || second == third || third == first) continue;
+            indices.insert(indices.end(), {first, second, third});
+        }
         return {};
     }
 
@@ -476,26 +527,37 @@ class Gathering {
     const tinygltf::Model& model_;
     const GltfLimits& limits_;
     std::vector<GltfPart> parts_;
+    std::vector<std::string> left_out_;
     std::size_t visited_ = 0;
     std::size_t vertices_ = 0;
     std::size_t triangles_ = 0;
 };
 
+// Whether a file can be drawn in plain colours without it: it says how a surface looks, not where it is.
+bool is_of_the_surface(std::string_view extension) {
+    return extension.starts_with("KHR_materials_") || extension.starts_with("KHR_texture_") ||
+           extension.starts_with("EXT_texture_") || extension == "KHR_lights_punctual";
+}
+
 Result<GltfModel> decode(std::span<const std::byte> bytes, const GltfLimits& limits) {
     if (auto good = check_header(bytes, limits); !good) return good.error();
     auto parsed = parse(bytes);
     if (!parsed) return parsed.error();
-    if (!parsed->extensionsRequired.empty()) {
-        return bad_input(
-            fmt::format("expected no required extension, found {}",
-                        first_line(fmt::format("{}", fmt::join(parsed->extensionsRequired, ", ")))));
-    }
     GltfModel model;
+    for (const std::string& extension : parsed->extensionsRequired) {
+        if (!is_of_the_surface(extension))
+            return bad_input(
+                fmt::format("expected no required extension of the shape, found {}", first_line(extension)));
+        model.left_out.push_back("extension " + first_line(extension));
+    }
     for (const tinygltf::Material& material : parsed->materials)
         model.materials.push_back(material_of(material));
-    auto parts = Gathering(*parsed, limits).gather();
+    Gathering gathering(*parsed, limits);
+    auto parts = gathering.gather();
     if (!parts) return parts.error();
     model.parts = std::move(*parts);
+    for (std::string& words : gathering.take_left_out())
+        model.left_out.push_back(std::move(words));
     return model;
 }
 

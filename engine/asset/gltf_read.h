@@ -1,6 +1,6 @@
 // Reads the triangles and plain materials of a glTF 2.0 file in its binary form, GLB (ISO/IEC 12113): tools
-// and rooms that a script or a museum made. Any thread but the haptic one; takes bytes and touches no file,
-// and follows no reference out of the file. Bytes may come from anywhere: whatever does not fit is refused.
+// and rooms from a script or a museum. Any thread but the haptic one; takes bytes, touches no file and
+// follows no reference to another file. The bytes are not trusted: anything invalid is refused.
 #pragma once
 
 #include <cstddef>
@@ -15,32 +15,36 @@
 
 namespace onggi::asset {
 
-// What one file may hold at most; a real GPU's room fits many times.
+// The limits of a file, far above a real room.
 struct GltfLimits {
     std::size_t max_bytes = std::size_t{256} << 20;
     std::size_t max_vertices = std::size_t{1} << 22;
     std::size_t max_triangles = std::size_t{1} << 22;
-    std::size_t max_nodes = 1 << 14;  // visited, so that a file cannot unfold into a giant
+    std::size_t max_nodes = 1 << 14;  // visited nodes, so that a small file cannot expand without bound
     int max_depth = 64;               // of nodes below a scene, and of brackets in the JSON
 };
 
-// One primitive of one node, placed by all the nodes above it.
+// One primitive of a node, transformed by the node and its ancestors.
 struct GltfPart {
-    std::string node;  // its name; may be empty
-    Mesh mesh;         // metres, +Y up, counter-clockwise from outside also below a mirroring node
-    // COLOR_0 as linear red, green, blue, alpha; empty where the file has none, else one a vertex.
+    std::string node;       // its name; may be empty
+    std::string mesh_name;  // may be empty
+    Mesh mesh;              // metres, +Y up, counter-clockwise from outside, even below a mirroring node
+    // COLOR_0 as linear red, green, blue, alpha; empty if the file has none, otherwise one per vertex.
     std::vector<vec4> colours;
-    int material = -1;  // of GltfModel::materials; -1: glTF's default, white and rough
+    int material = -1;  // index into GltfModel::materials; -1: glTF's default, white and rough
 };
 
 struct GltfModel {
-    std::vector<Material> materials;  // textures are left out: only the factors are read
-    std::vector<GltfPart> parts;      // in the order of the scene's nodes; at least one
+    std::vector<Material> materials;    // factors only, textures are not read
+    std::vector<GltfPart> parts;        // in the order of the scene's nodes; at least one
+    std::vector<std::string> left_out;  // "mesh 'grid': lines", each once: what is there and is not drawn
 };
 
-// The default scene, or the first. `name` is what an error calls the file. kBadInput for anything but a whole
-// GLB of triangles within the limits: also sparse or compressed accessors, extensions that the file requires,
-// and buffers or images outside the file. Missing normals are made, smooth across shared vertices.
+// Reads the default scene, or the first; in a file without scenes, all root nodes. Triangles, strips and fans
+// are read. Points and lines are left out, and so are extensions of the surface (KHR_materials_*, textures,
+// lights), even if the file requires them. Errors call the file `name`. kBadInput for anything but a whole
+// GLB with triangles within the limits, including sparse or compressed accessors, other required extensions,
+// and buffers or images outside the file. Missing normals are computed, smooth across shared vertices.
 Result<GltfModel> decode_glb(std::span<const std::byte> bytes, std::string_view name,
                              const GltfLimits& limits = {});
 

@@ -9,8 +9,7 @@
 namespace onggi::asset {
 namespace {
 
-// TurboJPEG's own interface: the one that libjpeg gave the world reports errors by longjmp, which skips
-// destructors.
+// Uses the TurboJPEG interface: libjpeg's reports errors by longjmp, which skips destructors.
 struct DestroyDecoder {
     void operator()(void* decoder) const { tjDestroy(decoder); }
 };
@@ -53,7 +52,7 @@ Result<Image> decode_jpeg(std::span<const std::byte> bytes, std::string_view nam
     int colours = 0;
     if (bytes.empty() ||
         tjDecompressHeader3(decoder.get(), data, size, &width, &height, &subsampling, &colours) != 0) {
-        return bad_input(fmt::format("{}: expected a JPEG, found {} bytes that are none", name, size));
+        return bad_input(fmt::format("{}: expected a JPEG, found {} bytes of something else", name, size));
     }
     if (width > kMaxImageSide || height > kMaxImageSide) {
         return bad_input(fmt::format("{}: expected a JPEG with sides of at most {} pixels, found {} x {}",
@@ -61,7 +60,8 @@ Result<Image> decode_jpeg(std::span<const std::byte> bytes, std::string_view nam
     }
     Image image{.width = width, .height = height, .rgba = {}};
     image.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    // A progressive file may ask for its pixels to be gone over any number of times: no honest one has 500.
+    // A progressive file may have any number of scans, each of which takes time; the library refuses more
+    // than 500.
     constexpr int kFlags = TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING;
     constexpr int kTightRows = 0;
     if (tjDecompress2(decoder.get(), data, size, image.rgba.data(), width, kTightRows, height, TJPF_RGBA,

@@ -1,13 +1,12 @@
-// The order in which a mesh's triangles and vertices lie in a file. Any thread; pure.
+// Reorders a mesh's triangles and vertices. Any thread; pure.
 #pragma once
 
 #include "engine/asset/mesh.h"
 
 namespace onggi::asset {
 
-// As a graphics device draws them quickest, and as they pack best: triangles near each other share
-// vertices, and vertices come as they are first used. Nothing else changes. The same mesh gives the same
-// order (meshoptimizer).
+// Optimises the order for a GPU's vertex cache and for compression: consecutive triangles share vertices, and
+// vertices are in order of first use. Nothing else changes. Deterministic (meshoptimizer).
 void order_for_drawing(Mesh& mesh);
 
 }  // namespace onggi::asset

@@ -1,4 +1,4 @@
-// What every mesh must keep before a writer takes it. Used inside engine/asset only.
+// The rules that every writer checks a mesh against. Used inside engine/asset only.
 #pragma once
 
 #include "engine/asset/mesh.h"
@@ -6,16 +6,16 @@
 
 namespace onggi::asset {
 
-// Far above any pot, and low enough that every length in a GLB and an STL header fits its 32 bits.
+// Far above any pot, and low enough that every size in a GLB and an STL header fits 32 bits.
 constexpr std::size_t kMaxVertices = std::size_t{1} << 24;
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 24;
 
-// kBadInput naming the first rule that is broken: some triangles, whole ones, indices within the vertices, a
-// normal for each vertex, finite numbers, sizes within the limits above.
+// Checks: at least one triangle, three indices per triangle, indices in range, a normal for each vertex,
+// finite numbers, sizes within the limits above. Error: kBadInput, naming the first violation.
 Result<void> check_mesh(const Mesh& mesh);
 
-// A place as printers want it: a quarter turn about X, so that a right-handed mesh stays right-handed and
-// outside stays outside. No zero is negative.
+// Converts a position to mm and +Z up by a quarter turn about X, which keeps a mesh right-handed and its
+// faces outwards. Never returns -0.
 [[nodiscard]] vec3 z_up_mm(const vec3& place_m);
 
 }  // namespace onggi::asset

@@ -7,8 +7,8 @@
 namespace onggi::asset {
 namespace {
 
-// libpng's own allocations, given back however a function ends. The simplified interface is used because the
-// other reports errors by longjmp, which skips destructors.
+// Frees libpng's allocations on every return. Uses the simplified interface because the other one reports
+// errors by longjmp, which skips destructors.
 class PngImage {
   public:
     PngImage() { image_.version = PNG_IMAGE_VERSION; }
@@ -47,7 +47,7 @@ Result<std::vector<std::byte>> encode_png(const Image& image) {
 
     constexpr int kKeepEightBits = 0;
     constexpr png_int_32 kTightRows = 0;
-    // The first call only measures, by compressing once; pictures are few and small.
+    // The first call only computes the size, by compressing once; pictures are few and small.
     png_alloc_size_t size = 0;
     if (png_image_write_to_memory(png.get(), nullptr, &size, kKeepEightBits, image.rgba.data(), kTightRows,
                                   nullptr) == 0) {
@@ -65,7 +65,7 @@ Result<std::vector<std::byte>> encode_png(const Image& image) {
 Result<Image> decode_png(std::span<const std::byte> bytes, std::string_view name) {
     PngImage png;
     if (png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size()) == 0) {
-        return bad_input(fmt::format("{}: expected a PNG, found {} bytes that are none: {}", name,
+        return bad_input(fmt::format("{}: expected a PNG, found {} bytes of something else: {}", name,
                                      bytes.size(), png.message()));
     }
     constexpr auto kMaxSide = static_cast<png_uint_32>(kMaxImageSide);

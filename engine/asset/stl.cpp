@@ -15,7 +15,7 @@ namespace onggi::asset {
 namespace {
 
 constexpr std::size_t kStlHeaderBytes = 80;
-constexpr std::size_t kTriangleBytes = 50;  // normal, three corners, 16 bits that stay zero
+constexpr std::size_t kTriangleBytes = 50;  // normal, three vertices, 16 zero bits
 constexpr std::string_view kHeaderStart = "Binary STL, mm, Z up: ";
 
 void append_word(std::vector<std::byte>& bytes, std::uint32_t word) {
@@ -24,12 +24,12 @@ void append_word(std::vector<std::byte>& bytes, std::uint32_t word) {
 }
 
 void append_vector(std::vector<std::byte>& bytes, const vec3& v) {
-    // Of normals: adding +0 turns -0 into +0 and changes nothing else.
+    // Adding +0 turns a normal's -0 into +0 and changes nothing else.
     for (const float number : {v.x, v.y, v.z})
         append_word(bytes, std::bit_cast<std::uint32_t>(number + 0.0F));
 }
 
-// A text that starts with "solid" would be read as the other, written-out form of STL.
+// A header that starts with "solid" would mark a text STL.
 void append_header(std::vector<std::byte>& bytes, std::string_view title) {
     std::array<char, kStlHeaderBytes> header{};
     const auto end = std::copy(kHeaderStart.begin(), kHeaderStart.end(), header.begin());

@@ -17,7 +17,7 @@
 namespace onggi::asset {
 namespace {
 
-// What lib3mf hands out, given back however a function ends.
+// Releases a lib3mf object on every return.
 template <typename T>
 class Handle {
   public:
@@ -35,7 +35,7 @@ class Handle {
     T* held_ = nullptr;
 };
 
-// The text of an element, which the library writes as it is given; values of attributes it escapes itself.
+// Escapes the text of an element, which the library does not; it escapes attribute values itself.
 std::string xml_text(std::string_view words) {
     std::string text;
     for (const char c : valid_utf8(words)) {
@@ -53,7 +53,7 @@ std::string xml_text(std::string_view words) {
                 text += "&quot;";
                 break;
             default:
-                // XML 1.0 has no word for the others below the blank.
+                // XML 1.0 cannot express the other control characters.
                 text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
         }
     }
@@ -85,7 +85,7 @@ Welded welded(const Mesh& mesh) {
     return solid;
 }
 
-// No larger than a thumbnail: each pixel the mean of those it stands for.
+// Scales the picture down to thumbnail size by averaging blocks of pixels.
 Image thumbnail_of(const Image& picture) {
     const int by = (std::max(picture.width, picture.height) + kThumbnailSide - 1) / kThumbnailSide;
     if (by <= 1) return picture;
@@ -128,7 +128,7 @@ BOOL seek_to(UINT64 place, void* user) {
     return 0;
 }
 
-// Every call until one fails; then no more.
+// Keeps the first failure of a sequence of library calls.
 class Calls {
   public:
     void operator()(LIB3MFRESULT result, const char* doing) {
@@ -142,8 +142,8 @@ class Calls {
     std::optional<Error> trouble_;
 };
 
-// The library would invent others with each file: one object, one item, one plate need no more to be
-// told apart.
+// Fixed identifiers, because the library would generate random ones for each file; one object, one item and
+// one plate need no others.
 constexpr const char* kObjectId = "6f6e6767-6900-4000-8000-000000000001";
 constexpr const char* kItemId = "6f6e6767-6900-4000-8000-000000000002";
 constexpr const char* kBuildId = "6f6e6767-6900-4000-8000-000000000003";

@@ -1,5 +1,5 @@
-// Writes 3MF (3D Manufacturing Format, core specification 1.2), what slicers for 3D printers read besides
-// STL: it says its unit, shares its corners and shows a picture. Any thread; touches no file.
+// Writes 3MF (3D Manufacturing Format, core specification 1.2), which slicers for 3D printers read besides
+// STL: it has a unit, shared vertices and a thumbnail. Any thread; touches no file.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace onggi::asset {
 
-struct ThreeMfWords {  // any bytes, made valid text
+struct ThreeMfWords {  // any bytes, converted to valid text
     std::string title;
-    std::string description;  // for whoever prints it; empty: none
+    std::string description;  // for the person who prints it; empty: omitted
     std::string application;  // program and version
 };
 
 // Largest side of the picture in the file, pixels.
 constexpr int kThumbnailSide = 256;
 
-// One object of millimetres, +Z up as encode_stl(), on the build plate once. Vertices at one place
-// become one, because the format joins triangles by number. `picture`, if any, becomes the package's
-// thumbnail, made smaller where it is larger. The same input gives the same bytes. kBadInput as for
+// Writes one object in millimetres, +Z up as encode_stl(), placed once on the build plate. Vertices at the
+// same position are merged, because the format joins triangles by vertex index. `picture`, if any, becomes
+// the package's thumbnail, scaled down if it is larger. The same input gives the same bytes. kBadInput as for
 // encode_stl() and encode_png(); kFailed if the library fails.
 Result<std::vector<std::byte>> encode_3mf(const Mesh& mesh, const ThreeMfWords& words,
                                           const Image* picture = nullptr);

@@ -8,13 +8,13 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-// How many bytes the well-formed sequence at the front takes; 0 if there is none.
+// The length in bytes of the well-formed sequence at the front; 0 if there is none.
 std::size_t sequence_length(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
     if (lead < 0x80) return 1;
     std::size_t length = 0;
-    // The second byte's range is what keeps overlong forms, surrogates and too large numbers out.
+    // The second byte's range excludes overlong forms, surrogates and too large code points.
     unsigned char low = 0x80;
     unsigned char high = 0xBF;
     if (lead >= 0xC2 && lead <= 0xDF) {

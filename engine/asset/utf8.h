@@ -1,4 +1,4 @@
-// Valid UTF-8 out of any bytes. Any thread.
+// Converts any bytes to valid UTF-8. Any thread.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 namespace onggi::asset {
 
 // Each byte that cannot belong to a well-formed sequence (The Unicode Standard 15.0, table 3-7: no overlong
-// forms, no surrogates, nothing above U+10FFFF) becomes U+FFFD. Well-formed text comes back unchanged. JSON
-// writers throw on anything else, and a visitor's words must not end the program.
+// forms, no surrogates, nothing above U+10FFFF) becomes U+FFFD. Well-formed text is unchanged. JSON writers
+// throw on invalid UTF-8, and a visitor's text must not end the program.
 std::string valid_utf8(std::string_view bytes);
 
 }  // namespace onggi::asset

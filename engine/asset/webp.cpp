@@ -1,4 +1,4 @@
-// WebP pictures that stand still, by libwebp. Any thread.
+// Still WebP pictures, by libwebp. Any thread.
 #include <fmt/format.h>
 #include <webp/encode.h>
 
@@ -15,7 +15,7 @@ Result<std::vector<std::byte>> encode_webp(const Image& image, int quality) {
     std::uint8_t* data = nullptr;
     const std::size_t size = WebPEncodeRGBA(image.rgba.data(), image.width, image.height,
                                             kBytesPerPixel * image.width, static_cast<float>(quality), &data);
-    if (size == 0) return failed("WebP: libwebp could not pack the picture");
+    if (size == 0) return failed("WebP: libwebp could not encode the picture");
     const auto* const first = reinterpret_cast<const std::byte*>(data);
     std::vector<std::byte> bytes(first, first + size);
     WebPFree(data);

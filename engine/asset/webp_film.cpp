@@ -11,8 +11,7 @@
 namespace onggi::asset {
 namespace {
 
-// Beside the quality, how long libwebp looks for a smaller file: at 6 it takes three times as long for a
-// twentieth less.
+// libwebp's effort for a smaller file: level 6 takes three times as long for 5 % less.
 constexpr int kEffort = 4;
 constexpr int kEffortWithoutLoss = 1;
 constexpr double kBestQuality = 100.0;
@@ -45,7 +44,7 @@ struct WebpFilm::Encoder {
     WebpFilmDesc desc;
     WebPConfig config{};
     WebPAnimEncoder* film = nullptr;
-    int shown_ms = 0;  // all pictures so far
+    int shown_ms = 0;  // duration of all pictures so far
 
     Encoder() = default;
     Encoder(const Encoder&) = delete;

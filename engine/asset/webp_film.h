@@ -13,12 +13,12 @@ namespace onggi::asset {
 struct WebpFilmDesc {
     int width = 480;  // pixels, of every picture
     int height = 360;
-    // 0 to 100, as libwebp's own programs count it; 100 loses nothing, at ten times the bytes.
+    // 0 to 100, as in libwebp's own programs; 100 is lossless, at ten times the size.
     double quality = 75.0;
 };
 
-// Takes pictures in their order and keeps only what they were packed into, and the last of them, because each
-// is stored as its difference to the one before. The same pictures give the same bytes.
+// Encodes pictures in order. It stores only the encoded data and the last picture, because each is encoded as
+// the difference from the previous one. The same pictures give the same bytes.
 class WebpFilm {
   public:
     // kBadInput: a side outside 1..kMaxImageSide, a quality outside 0..100. kFailed: no memory.
@@ -29,10 +29,10 @@ class WebpFilm {
     WebpFilm& operator=(const WebpFilm&) = delete;
     ~WebpFilm();
 
-    // Shown for that long, ms. kBadInput: a picture of another size, a time outside 1..60000.
+    // Adds a picture, shown for shown_ms. kBadInput: a picture of another size, a time outside 1..60000.
     Result<void> add(const Image& image, int shown_ms);
-    // The whole file, which a viewer plays once and then shows the last picture of; nothing can be added
-    // after it. kBadInput: no picture was added.
+    // Returns the whole file; a viewer plays it once and stops at the last picture. Nothing can be added
+    // afterwards. kBadInput: no picture was added.
     Result<std::vector<std::byte>> finish();
 
   private:

@@ -1,4 +1,4 @@
-// A line of a table as its cells. Any thread.
+// Splits a line of a table into cells. Any thread.
 #pragma once
 
 #include <string_view>
@@ -6,7 +6,7 @@
 
 namespace onggi {
 
-// What stands between separators, which no cell can hold; at least one cell, empty of an empty line. They
+// Returns the cells between separators, which have no escape; an empty line has one empty cell. The cells
 // point into `line`.
 [[nodiscard]] inline std::vector<std::string_view> cells_of(std::string_view line, char separator) {
     std::vector<std::string_view> cells;

@@ -9,9 +9,9 @@
 
 namespace onggi {
 
-// FNV-1a over 64-bit words instead of bytes, with a fold after each multiply so that high bits reach the low
-// ones: eight times fewer steps than the byte form, and 8 KB take about a microsecond.
-// Constants: Fowler, Noll, Vo, 64-bit offset basis and prime.
+// FNV-1a over 64-bit words instead of bytes, with a fold after each multiplication so that high bits reach
+// the low ones: an eighth of the byte form's steps; 8 KB take about a microsecond. Constants: Fowler, Noll,
+// Vo, 64-bit offset basis and prime.
 class StateHash {
   public:
     void add_word(std::uint64_t word) {
@@ -19,7 +19,7 @@ class StateHash {
         hash_ ^= hash_ >> 32;
     }
 
-    // Little-endian words; the last is filled up with zeros, and the length is hashed too.
+    // Hashes little-endian words, the last one padded with zeros, and the length.
     void add_bytes(std::span<const std::byte> bytes) {
         std::size_t at = 0;
         for (; at + sizeof(std::uint64_t) <= bytes.size(); at += sizeof(std::uint64_t)) {
@@ -36,7 +36,7 @@ class StateHash {
     template <typename T>
     requires std::is_trivially_copyable_v<T> && std::has_unique_object_representations_v<T>
     void add(const T& value) { add_bytes(std::as_bytes(std::span<const T, 1>(&value, 1))); }
-    // The bit patterns, so that 0.0 and -0.0 differ as replay wants it.
+    // Hashes the bit pattern: 0.0 and -0.0 differ, as replay needs.
     void add(double value) {
         std::uint64_t word = 0;
         std::memcpy(&word, &value, sizeof word);

@@ -1,6 +1,6 @@
-// What lies in a folder, or as much of it as the system tells. A range-for over the standard's iterator
-// throws where a disk fails in the middle of a folder, which under noexcept is the end of the program; this
-// never does. Any thread but the haptic one; blocks.
+// Lists a folder, or as many entries as the system returns. The standard's directory_iterator throws if a
+// disk fails in the middle of a folder, which ends the program under noexcept; this does not. Any thread but
+// the haptic one; blocks.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@
 namespace onggi {
 
 struct FolderListing {
-    std::vector<std::filesystem::path> entries;  // with the folder's own path before them, in no order
-    std::error_code error;                       // why there may be more than these
+    std::vector<std::filesystem::path> entries;  // full paths, in no order
+    std::error_code error;                       // set if the list may be incomplete
 
     [[nodiscard]] bool is_whole() const { return !error; }
 };
 
-// A folder that is not there has nothing in it, which is no error.
+// A missing folder yields an empty list without an error.
 [[nodiscard]] inline FolderListing list_folder(const std::filesystem::path& folder) {
     FolderListing listing;
     std::filesystem::directory_iterator entry(folder, listing.error);
@@ -31,7 +31,7 @@ struct FolderListing {
     return listing;
 }
 
-// The one line that says so, of a listing that is not whole.
+// The one-line message for an incomplete listing.
 [[nodiscard]] inline std::string listing_trouble(const std::filesystem::path& folder,
                                                  const FolderListing& listing) {
     return shown_path(folder.native()) +

@@ -1,5 +1,5 @@
-// Numbers as little-endian bytes, whatever the machine's own order: for what session files, start states and
-// devices' reports hold. Any thread; reading allocates nothing and is fit for the tick.
+// Numbers as little-endian bytes on any machine: for session files, start states and devices' reports. Any
+// thread; reading allocates nothing and is fit for the tick.
 #pragma once
 
 #include <bit>
@@ -26,7 +26,7 @@ inline void put(std::vector<std::byte>& bytes, float number) {
     put(bytes, std::bit_cast<std::uint32_t>(number));
 }
 
-// Precondition of each: sizeof(T) bytes stand at `bytes`.
+// Precondition of each: `bytes` points to at least sizeof(T) bytes.
 template <std::integral T>
 [[nodiscard]] T get(const std::byte* bytes) noexcept {
     std::uint64_t number = 0;

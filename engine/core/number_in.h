@@ -1,4 +1,4 @@
-// A text that is a number and nothing else. Any thread; no allocation, no locale.
+// Parses a text that is a number and nothing else. Any thread; no allocation, no locale.
 #pragma once
 
 #include <charconv>
@@ -8,8 +8,8 @@
 
 namespace onggi {
 
-// None of an empty text, of one with anything beside the number, and of a number that T does not hold; a
-// floating-point one may be infinite or none.
+// Empty for an empty text, for extra characters, and for a number out of T's range. A floating-point number
+// may be infinite or NaN.
 template <typename T>
 [[nodiscard]] std::optional<T> number_in(std::string_view text) {
     T number{};

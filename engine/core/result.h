@@ -1,5 +1,5 @@
-// Result<T>: what a function that can fail returns. Expected failure is a value, never an exception.
-// Any thread. Not for the haptic tick: inside it nothing fails.
+// Result<T>: the return type of a function that can fail. An expected failure is a value, never an exception.
+// Any thread. Not for the haptic tick, where nothing fails.
 #pragma once
 
 #include <cassert>
@@ -10,10 +10,10 @@
 
 namespace onggi {
 
-// Who can mend it; the program's exit code follows from it (see exit_code).
+// Who can fix the error; it determines the program's exit code (see exit_code).
 enum class ErrorKind {
     kBadInput,     // the user's words or files: name the place, what was expected, what was found
-    kSystemLacks,  // the machine has not what is needed: a Vulkan device, disk space, a permission
+    kSystemLacks,  // the machine lacks something: a Vulkan device, disk space, a permission
     kFailed,       // anything else
 };
 
@@ -32,7 +32,8 @@ inline Error failed(std::string message) {
     return {ErrorKind::kFailed, std::move(message)};
 }
 
-// The exit codes others rely on: 0 done, 1 anything else, 2 bad usage or input, 3 the system lacks something.
+// The exit codes are part of the interface: 0 done, 1 anything else, 2 bad usage or input, 3 the system lacks
+// something.
 constexpr int exit_code(ErrorKind kind) {
     switch (kind) {
         case ErrorKind::kBadInput:

@@ -14,9 +14,8 @@
 
 namespace onggi::ecs {
 
-// An entity is a name, not an object: an index into the registry's tables and the generation that tells a
-// new entity from a destroyed one that had the same index. As it is made, without a registry, it is alive in
-// none.
+// An entity is an identifier: an index into the registry's tables, and a generation that tells a new entity
+// from a destroyed one with the same index. A default-constructed one is alive in no registry.
 struct Entity {
     static constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
@@ -26,12 +25,12 @@ struct Entity {
     friend bool operator==(Entity, Entity) = default;
 };
 
-// Storage of one component type: components lie side by side in insertion order, and a sparse table leads
-// from an entity's index to its place. Adding, removing and finding take constant time. Removing moves the
-// last component into the gap, so order changes, but always in the same way: two runs of the same calls walk
-// the components in the same order.
+// Storage of one component type: components are contiguous in insertion order, and a sparse table maps an
+// entity's index to its component. Adding, removing and finding take constant time. Removing moves the last
+// component into the gap, so the order changes, but deterministically: two runs of the same calls visit the
+// components in the same order.
 
-// What the registry must do with a storage without knowing its component type.
+// The operations of a storage that do not depend on its component type.
 class AnySparseSet {
   public:
     virtual ~AnySparseSet() = default;
@@ -44,13 +43,13 @@ class SparseSet final : public AnySparseSet {
     [[nodiscard]] std::size_t size() const { return entities_.size(); }
     [[nodiscard]] bool contains(Entity entity) const { return find_place(entity) != kNowhere; }
 
-    // Null where the entity has none. Valid until a component of this type is added or removed.
+    // Null if the entity has none. Valid until a component of this type is added or removed.
     [[nodiscard]] Component* find(Entity entity) {
         const std::size_t place = find_place(entity);
         return place == kNowhere ? nullptr : &components_[place];
     }
 
-    // Adds, or replaces what the entity has.
+    // Adds or replaces the entity's component.
     Component& put(Entity entity, Component component) {
         if (Component* present = find(entity)) return *present = std::move(component);
         if (entity.index >= places_.size()) places_.resize(entity.index + 1U, kNowhere);
@@ -85,8 +84,8 @@ class SparseSet final : public AnySparseSet {
         return place != kNowhere && entities_[place] == entity ? place : kNowhere;
     }
 
-    std::vector<std::size_t> places_;  // by entity index
-    std::vector<Entity> entities_;     // side by side with components_
+    std::vector<std::size_t> places_;  // indexed by entity
+    std::vector<Entity> entities_;     // parallel to components_
     std::vector<Component> components_;
 };
 
@@ -102,12 +101,12 @@ class Registry {
         return {index, generations_[index]};
     }
 
-    // Destroys the entity with all its components. An entity that is not alive is left alone.
+    // Destroys the entity with all its components. Does nothing if it is not alive.
     void destroy(Entity entity) {
         if (!alive(entity)) return;
         for (auto& [type, storage] : storages_)
             storage->erase(entity);
-        // From now on the old name is dead, and the next entity in this place has another.
+        // The old identifier is now dead; the next entity at this index has another generation.
         ++generations_[entity.index];
         free_indices_.push_back(entity.index);
     }
@@ -116,7 +115,7 @@ class Registry {
         return entity.index < generations_.size() && generations_[entity.index] == entity.generation;
     }
 
-    // Adds a component, or replaces the one the entity has. Precondition: the entity is alive.
+    // Adds or replaces a component. Precondition: the entity is alive.
     template <typename Component>
     Component& add(Entity entity, Component component) {
         assert(alive(entity));
@@ -133,8 +132,7 @@ class Registry {
         return storage<Component>().contains(entity);
     }
 
-    // Null where the entity is dead or has no such component. Valid until one of this type is added or
-    // removed.
+    // Null if the entity is dead or has no such component. Valid until one of this type is added or removed.
     template <typename Component>
     [[nodiscard]] Component* find(Entity entity) {
         return storage<Component>().find(entity);
@@ -167,8 +165,8 @@ class Registry {
         return static_cast<SparseSet<Component>&>(*slot);
     }
 
-    std::vector<std::uint32_t> generations_;   // by index; the generation the living or next entity has
-    std::vector<std::uint32_t> free_indices_;  // indices of destroyed entities, last one used first
+    std::vector<std::uint32_t> generations_;   // by index: generation of the living or next entity
+    std::vector<std::uint32_t> free_indices_;  // indices of destroyed entities; the last is reused first
     std::unordered_map<std::type_index, std::unique_ptr<AnySparseSet>> storages_;
 };
 

@@ -10,9 +10,9 @@
 namespace onggi::files {
 namespace {
 
-constexpr mode_t kTableMode = 0666;  // less the umask
+constexpr mode_t kTableMode = 0666;  // minus the umask
 
-// Zero, or why not all of it was written.
+// Returns 0 or an errno.
 int write_all(int descriptor, std::string_view text) {
     while (!text.empty()) {
         const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -45,7 +45,7 @@ int append(int descriptor, std::string_view first_line, std::string_view line) {
     }
     text.append(line).append("\n");
     const int error = write_all(descriptor, text);
-    // What was written of it goes again; a disk that takes not even that leaves half a line.
+    // Remove the partial line; if even that fails, it stays.
     if (error != 0) static_cast<void>(!::ftruncate(descriptor, size));
     return error;
 }

@@ -23,7 +23,7 @@ Result<std::filesystem::path> find_asset(const std::string& part, const AssetPla
         return bad_input(fmt::format("ONGGI_ASSETS: expected a folder with {} in it, found none at {}", part,
                                      shown(found)));
     }
-    // build/PRESET/tests/PROGRAM is the deepest place that a program of the house runs from.
+    // build/PRESET/tests/PROGRAM is the deepest location of a program in the source tree.
     constexpr int kMostFolders = 4;
     std::filesystem::path folder = places.program.parent_path();
     for (int up = 0; up < kMostFolders && !folder.empty(); ++up) {

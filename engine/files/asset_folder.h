@@ -1,5 +1,4 @@
-// Where the program finds what it brings with it: pictures, rooms, sounds, texts. Any thread but the haptic
-// one; blocks.
+// Finds the program's assets: pictures, rooms, sounds, texts. Any thread but the haptic one; blocks.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +8,18 @@
 
 namespace onggi::files {
 
-// What decides it, so that tests can ask for any machine.
+// The inputs of the search, which tests can set.
 struct AssetPlaces {
-    std::string chosen;             // what the user asked for; empty: nothing
+    std::string chosen;             // the folder that the user chose; empty: none chosen
     std::filesystem::path program;  // the program's own file, absolute
 };
 // $ONGGI_ASSETS, and the file that is running.
 [[nodiscard]] AssetPlaces asset_places();
 
-// The folder that holds `part` (a folder or file in it, such as "workshop"): the one chosen, and no other, if
-// the user chose one; else share/onggi or assets beside the program's folder or above it, the nearest first.
-// That finds an installed program's (bin/onggi, share/onggi) as well as a build folder's inside the source
-// tree. Bad input if the chosen folder has no such part; system lacks where none is found.
+// Finds `part` (a folder or file of the assets, such as "workshop"): in the chosen folder only, if the user
+// chose one; otherwise in share/onggi or assets beside the program's folder or above it, the nearest first.
+// That covers an installed program (bin/onggi, share/onggi) and a build folder inside the source tree.
+// Errors: bad input if the chosen folder has no such part; system lacks if none is found.
 [[nodiscard]] Result<std::filesystem::path> find_asset(const std::string& part,
                                                        const AssetPlaces& places = asset_places());
 

@@ -5,6 +5,8 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cerrno>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -15,17 +17,17 @@
 namespace onggi::files {
 namespace {
 
-// Where an output file really goes, and whether it can.
+// The resolved location of an output file.
 struct OutputPlace {
     std::filesystem::path file;      // absolute, a symbolic link at its end followed
     std::filesystem::path folder;    // its folder
-    std::optional<mode_t> old_mode;  // permissions of the file that stands there already
+    std::optional<mode_t> old_mode;  // permissions of an existing file there
 };
 
 Result<std::filesystem::path> follow_link(const std::filesystem::path& destination) {
     struct stat status {};
     if (::lstat(destination.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return destination;
-    // Renaming onto a link would replace the link and leave the file it stands for as it was.
+    // Renaming onto a link would replace the link and leave its target unchanged.
     std::error_code error;
     auto target = std::filesystem::canonical(destination, error);
     if (!error) return target;
@@ -53,12 +55,12 @@ Result<void> check_folder(const std::filesystem::path& destination, const std::f
 
 Result<void> check_rights(const std::filesystem::path& destination, const std::filesystem::path& asked,
                           int rights) {
-    // AT_EACCESS: with the rights the program has now, not with those of who started it.
+    // AT_EACCESS: with the effective user's rights, not the real user's.
     if (::faccessat(AT_FDCWD, asked.c_str(), rights, AT_EACCESS) == 0) return {};
     return error_of_errno(destination, errno, "write");
 }
 
-// Looks, touches nothing. Refuses as check_output_place does.
+// Only reads. Refuses as check_output_place does.
 [[nodiscard]] Result<OutputPlace> find_output_place(const std::filesystem::path& destination) {
     if (destination.empty()) return bad_input("expected the name of an output file, found an empty one");
     auto followed = follow_link(destination);
@@ -89,10 +91,10 @@ Result<void> check_rights(const std::filesystem::path& destination, const std::f
 
 constexpr std::size_t kBufferBytes = std::size_t{64} << 10U;
 constexpr int kMostNames = 1000;
-constexpr mode_t kNewFileMode = 0666;  // less the umask
+constexpr mode_t kNewFileMode = 0666;  // minus the umask
 
-// The n-th name tried for a file beside. A hidden name does not hold the destination's own, which may be as
-// long as names can be.
+// The n-th candidate name for the temporary file. A hidden name does not contain the destination's name,
+// which may already have the maximum length.
 std::filesystem::path beside_name(const OutputPlace& place, Beside beside, int n) {
     if (beside == Beside::kNameless) {
         return place.folder / fmt::format(".onggi-{}-{}.part", ::getpid(), n);
@@ -102,7 +104,7 @@ std::filesystem::path beside_name(const OutputPlace& place, Beside beside, int n
     return name;
 }
 
-// Without /proc a nameless file could never be given its name.
+// Without /proc an unnamed file cannot be linked to a name.
 bool can_name_the_nameless() {
     return ::access("/proc/self/fd", X_OK) == 0;
 }
@@ -111,16 +113,23 @@ std::filesystem::path descriptor_path(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-// Makes the rename itself last. Some file systems cannot sync a folder and say EINVAL: nothing to be done.
-int sync_new_name(const std::filesystem::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return errno == EACCES ? 0 : errno;  // a folder may be writable but not readable
-    const int error = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
-    ::close(descriptor);
-    return error;
-}
+std::atomic<bool> folder_sync_refused{false};
 
 }  // namespace
+
+int sync_folder(const std::filesystem::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return errno == EACCES ? 0 : errno;  // a folder may be writable but not readable
+    const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    if (error != EINVAL && error != ENOTSUP && error != ENOSYS) return error;
+    folder_sync_refused = true;
+    return 0;
+}
+
+bool folder_sync_was_refused() noexcept {
+    return folder_sync_refused;
+}
 
 Result<void> check_output_place(const std::filesystem::path& destination) {
     if (auto place = find_output_place(destination); !place) return place.error();
@@ -136,7 +145,7 @@ Result<AtomicFile> AtomicFile::create(const std::filesystem::path& destination, 
     if (beside == Beside::kNameless && can_name_the_nameless()) {
         file.descriptor_ = ::open(place->folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kNewFileMode);
     }
-    // Not every file system knows nameless files: then a hidden name does, taken away by the destructor.
+    // Not every file system supports unnamed files: then use a hidden name, which the destructor removes.
     for (int n = 0; file.descriptor_ < 0; ++n) {
         auto name = beside_name(*place, beside, n);
         file.descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kNewFileMode);
@@ -224,7 +233,7 @@ Result<void> AtomicFile::flush() {
 Result<void> AtomicFile::prepare() {
     if (prepared_ && descriptor_ >= 0) return {};
     if (auto flushed = flush(); !flushed) return flushed;
-    // A disk that fills up may say so only here.
+    // A full disk may be reported only here.
     if (::fsync(descriptor_) != 0) return lost(errno, "write");
     prepared_ = true;
     return {};
@@ -245,7 +254,7 @@ Result<void> AtomicFile::commit() {
     if (::close(std::exchange(descriptor_, -1)) != 0) return lost(errno, "write");
     if (::rename(beside_.c_str(), destination_.c_str()) != 0) return lost(errno, "write");
     beside_.clear();
-    if (const int error = sync_new_name(place.folder); error != 0) {
+    if (const int error = sync_folder(place.folder); error != 0) {
         return error_of_errno(shown_, error, "sync the folder");
     }
     return {};

@@ -1,5 +1,5 @@
-// A folder of files that appears whole or not at all: filled beside its place, synced, renamed into it. Any
-// one thread at a time but the haptic one; blocks.
+// A folder of files that appears whole or not at all: filled beside the destination, synced, renamed. Any one
+// thread at a time but the haptic one; blocks.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace onggi::files {
 
-// Until commit() nothing is at the destination; a destructor takes away what was written. What a killed
-// program leaves beside is called NAME.part; clear_parts() takes it away at the next start.
+// Until commit() nothing is at the destination; the destructor removes what was written. A killed program
+// leaves NAME.part, which clear_parts() removes at the next start.
 class AtomicFolder {
   public:
-    // System lacks: the folder around it cannot be made or written. Bad input: the destination is there.
+    // System lacks: the parent folder cannot be created or written. Bad input: the destination exists.
     static Result<AtomicFolder> create(const std::filesystem::path& destination);
 
     AtomicFolder(AtomicFolder&& other) noexcept;
@@ -21,7 +21,7 @@ class AtomicFolder {
     AtomicFolder& operator=(const AtomicFolder&) = delete;
     ~AtomicFolder();
 
-    // Where its files are to be written, with write_file_atomically or their like, which sync them.
+    // The folder to write files into, with write_file_atomically or similar functions that sync.
     [[nodiscard]] const std::filesystem::path& inside() const { return part_; }
     Result<void> commit();
 
@@ -32,13 +32,13 @@ class AtomicFolder {
     std::filesystem::path part_;  // empty once committed
 };
 
-// Takes a folder away with all that is in it: out of its place first and at once, so that a power cut in
-// between leaves NAME.part and never half a folder. System lacks: it cannot be; one that is not there is bad
-// input.
+// Removes a folder with its content. It is first renamed to NAME.part, so that a power cut never leaves half
+// a folder; on overlayfs, which cannot rename a folder of its lower layer, it is removed file by file.
+// Errors: system lacks if it cannot be removed; bad input if it does not exist.
 Result<void> take_away_folder(const std::filesystem::path& folder);
 
-// Takes away every NAME.part folder in `around`, and with `deep` in its folders, and what an AtomicFile of a
-// process that is no more has left there: by their names, so that a thousand others cost no question each.
+// Removes every NAME.part folder in `around` (with `deep` also in its folders), and the temporary AtomicFile
+// files of dead processes. It decides by names alone, so that other files cost no system call each.
 void clear_parts(const std::filesystem::path& around, bool deep = false);
 
 }  // namespace onggi::files

@@ -1,4 +1,5 @@
-// Inside engine/files only: how errno and file types become the one line a user reads. Any thread.
+// Inside engine/files only: turns errno and file types into the one line that a user reads, and syncs
+// folders. Any thread.
 #pragma once
 
 #include <sys/stat.h>
@@ -27,7 +28,7 @@ inline std::string_view kind_of_file(mode_t mode) {
     return "something else";
 }
 
-// Who can mend what the system refused: names are the user's, space and rights are the machine's.
+// Who can fix the error: a wrong name is bad input, missing space or rights are what the system lacks.
 inline ErrorKind kind_of_errno(int error_number) {
     switch (error_number) {
         case ENOENT:
@@ -56,5 +57,10 @@ inline Error error_of_errno(const std::filesystem::path& path, int error_number,
     return {kind_of_errno(error_number), shown(path) + ": cannot " + std::string(doing) + ": " +
                                              std::generic_category().message(error_number)};
 }
+
+// Makes the names in a folder last through a power cut. Returns 0 or an errno. Network and FUSE file systems
+// that cannot sync a folder refuse with EINVAL, ENOTSUP or ENOSYS: no program can do more there, so that
+// counts as done.
+[[nodiscard]] int sync_folder(const std::filesystem::path& folder);
 
 }  // namespace onggi::files

@@ -1,4 +1,4 @@
-// Bytes as the web takes them packed: gzip (RFC 1952). Any thread but the haptic one; allocates. Some 60 ms a
+// Compression for the web: gzip (RFC 1952). Any thread but the haptic one; allocates. Some 60 ms per
 // megabyte.
 #pragma once
 
@@ -10,7 +10,8 @@
 
 namespace onggi::files {
 
-// The same bytes give the same file: no time and no name is stored. System lacks: not enough memory.
+// The same input gives the same output: no time and no name is stored. Error: system lacks, if memory is
+// short.
 [[nodiscard]] Result<std::vector<std::byte>> gzip(std::span<const std::byte> bytes);
 
 }  // namespace onggi::files

@@ -17,7 +17,7 @@ class Descriptor {
     explicit Descriptor(int number) : number_(number) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
-    // Nothing was written through it: there is nothing a failing close could lose.
+    // The file is only read, so a failing close loses nothing.
     ~Descriptor() {
         if (number_ >= 0) ::close(number_);
     }
@@ -32,12 +32,12 @@ Result<void> check_regular(const std::filesystem::path& path, const struct stat&
     return bad_input(fmt::format("{}: expected a file, found {}", shown(path), kind_of_file(status.st_mode)));
 }
 
-// At most `most_bytes` of an open file, into a string that never grows past them.
+// Reads at most `most_bytes` of an open file.
 Result<std::string> read_up_to(const std::filesystem::path& path, int descriptor, std::size_t expected_bytes,
                                std::size_t most_bytes) {
     std::string bytes;
     std::size_t filled = 0;
-    // One byte more than expected shows the end of the file in the same sweep.
+    // One byte more than expected detects the end of the file in the same pass.
     bytes.resize(std::min(expected_bytes, most_bytes - 1) + 1);
     while (true) {
         if (filled == bytes.size()) {
@@ -56,14 +56,14 @@ Result<std::string> read_up_to(const std::filesystem::path& path, int descriptor
 
 Result<std::string> read_regular(const std::filesystem::path& path, std::size_t most_bytes, bool whole) {
     struct stat status {};
-    // Asked before opening: to open a device can be to do something to it.
+    // Check before opening: opening a device can have side effects.
     if (::stat(path.c_str(), &status) != 0) {
         if (errno == ENOENT) return bad_input(fmt::format("{}: no such file", shown(path)));
         return error_of_errno(path, errno, "read");
     }
     if (const auto regular = check_regular(path, status); !regular) return regular.error();
 
-    // O_NONBLOCK: should a pipe have taken the file's place meanwhile, nobody waits for its writer.
+    // O_NONBLOCK: if a pipe has replaced the file meanwhile, open() must not wait for its writer.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
     if (file.number() < 0) return error_of_errno(path, errno, "read");
     if (::fstat(file.number(), &status) != 0) return error_of_errno(path, errno, "read");
@@ -76,7 +76,7 @@ Result<std::string> read_regular(const std::filesystem::path& path, std::size_t 
     };
     if (!whole) return read_up_to(path, file.number(), std::min(size, most_bytes), most_bytes);
     if (size > most_bytes) return too_large(size);
-    // One more than allowed: a file that grows while it is read is noticed, not cut.
+    // One byte more than allowed: a file that grows while it is read is refused, not truncated.
     auto bytes = read_up_to(path, file.number(), size, most_bytes + 1);
     if (bytes && bytes->size() > most_bytes) return too_large(bytes->size());
     return bytes;

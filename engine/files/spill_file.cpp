@@ -41,7 +41,7 @@ bool SpillFile::open() {
     std::filesystem::create_directories(folder_, error);
     descriptor_ = ::open(folder_.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMine);
     if (descriptor_ >= 0) return true;
-    // Not every file system knows nameless files: then one loses its name as soon as it is there.
+    // Not every file system supports unnamed files: then create a named one and unlink it at once.
     const auto name = folder_ / fmt::format(".onggi-{}-aside.part", ::getpid());
     descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, kMine);
     if (descriptor_ >= 0) ::unlink(name.c_str());
@@ -73,9 +73,9 @@ Result<std::vector<std::byte>> SpillFile::get(const Piece& piece) const {
         const ssize_t read = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
                                      static_cast<off_t>(piece.at + done));
         if (read < 0 && errno == EINTR) continue;
-        if (read < 0) return error_of_errno(folder_, errno, "read what was put aside");
+        if (read < 0) return error_of_errno(folder_, errno, "read the spilled bytes");
         if (read == 0)
-            return failed(fmt::format("{}: cannot read what was put aside: expected {} bytes, found {}",
+            return failed(fmt::format("{}: cannot read the spilled bytes: expected {} bytes, found {}",
                                       shown(folder_), bytes.size(), done));
         done += static_cast<std::size_t>(read);
     }
@@ -87,7 +87,7 @@ void SpillFile::take_back(const Piece& newest) {
 }
 
 void SpillFile::clear() {
-    // Truncated rather than closed: the same file takes the next visit.
+    // Truncate instead of closing: the next visit reuses the file.
     if (descriptor_ >= 0 && ::ftruncate(descriptor_, 0) != 0) close();
     end_ = 0;
     refused_ = false;

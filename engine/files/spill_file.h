@@ -1,6 +1,5 @@
-// Bytes that are seldom read again, put aside on the disk so that they take no memory: in a file without a
-// name, which is gone with the program. Where the disk takes none they stay in memory. Any one thread at a
-// time but the haptic one; blocks.
+// Moves rarely read bytes from memory to disk, into an unnamed file that disappears with the program. If the
+// disk refuses, they stay in memory. Any one thread at a time but the haptic one; blocks.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@ namespace onggi::files {
 
 class SpillFile {
   public:
-    // Nothing is touched before the first put(). An empty folder: all stays in memory.
+    // Creates no file before the first put(). Empty `folder`: everything stays in memory.
     explicit SpillFile(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
     SpillFile(SpillFile&& other) noexcept;
     SpillFile& operator=(SpillFile&& other) noexcept;
@@ -27,15 +26,15 @@ class SpillFile {
     struct Piece {
         std::uint64_t at = 0;  // on the disk
         std::size_t size = 0;
-        std::vector<std::byte> in_memory;  // where the disk did not take it
+        std::vector<std::byte> in_memory;  // used if the disk refused it
     };
-    // A disk that refused once is asked again after clear().
+    // After a refusal by the disk, it is tried again only after clear().
     [[nodiscard]] Piece put(std::vector<std::byte> bytes);
-    // Failed, or system lacks: the disk does not give them back.
+    // Errors: failed or system lacks, if the disk cannot be read.
     [[nodiscard]] Result<std::vector<std::byte>> get(const Piece& piece) const;
-    // The newest piece is no longer wanted: its room is taken by the next.
+    // Drops the newest piece: the next put() reuses its space.
     void take_back(const Piece& newest);
-    // Nor is any.
+    // Drops all pieces.
     void clear();
 
     [[nodiscard]] std::uint64_t bytes_on_disk() const { return end_; }
@@ -45,7 +44,7 @@ class SpillFile {
     bool write(std::span<const std::byte> bytes);
     void close() noexcept;
 
-    std::filesystem::path folder_;  // created where it is missing
+    std::filesystem::path folder_;  // created if missing
     int descriptor_ = -1;
     bool refused_ = false;
     std::uint64_t end_ = 0;

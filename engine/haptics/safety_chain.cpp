@@ -14,7 +14,7 @@ SafetyLimits limits_for(const DeviceCapabilities& device) {
             std::min({limits.peak_force_n, kKioskContinuousForceN, device.continuous_force_n});
     }
     if (!device.has_motors) {
-        // A mouse may fly as fast as it likes: nobody's hand is thrown by a picture.
+        // A mouse may move at any speed: without motors no hand can be thrown.
         constexpr double kAnySpeedMmS = 1e9;
         limits.brake_speed_mm_s = limits.stop_speed_mm_s = kAnySpeedMmS;
     }
@@ -59,13 +59,13 @@ bool is_zero(const dvec3& v) noexcept {
     return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
 }
 
-// What is left of a vector that is shortened to at most the length; its direction stays.
+// The factor that shortens a vector to at most `length`.
 double fraction_at_most(const dvec3& v, double length) noexcept {
     const double square = glm::dot(v, v);
     return square > length * length ? length / std::sqrt(square) : 1.0;
 }
 
-// A fraction of the force, and as much of what a motor is behind in it.
+// Scales the force and its driven part.
 dvec3 fraction_of(const dvec3& force_n, double fraction, SafetyState& state) noexcept {
     state.driven_force_n *= fraction;
     return force_n * fraction;
@@ -75,7 +75,7 @@ dvec3 no_force(SafetyState& state) noexcept {
     return state.driven_force_n = dvec3(0.0);
 }
 
-// The force, shortened to at most so many N.
+// The force, shortened to at most most_n.
 dvec3 at_most(const dvec3& force_n, double most_n, SafetyState& state) noexcept {
     return fraction_of(force_n, fraction_at_most(force_n, most_n), state);
 }
@@ -117,7 +117,7 @@ dvec3 speed(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& 
             SafetyState& state) noexcept {
     const dvec3& v = input.velocity_mm_s;
     const double square = glm::dot(v, v);
-    // Both comparisons are false for a speed that is no number, which the gate has latched already.
+    // Both comparisons are false for NaN, which the gate has latched already.
     if (safety::is_zero(force_n) || !(square > limits.brake_speed_mm_s * limits.brake_speed_mm_s))
         return force_n;
     const double speed_mm_s = std::sqrt(square);
@@ -138,7 +138,7 @@ dvec3 late(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
         state.late_fraction -= state.late_fraction * std::min(1.0, input.dt_s / limits.late_memory_s);
         return force_n;
     }
-    // Of the periods that this tick stands for, its own among them, so many were missed.
+    // This tick stands for late + 1 periods, of which `late` were missed.
     const double missed = static_cast<double>(input.late);
     const double now = missed / (1.0 + missed);
     const double weight = std::min(1.0, input.dt_s / limits.late_memory_s * (1.0 + missed));
@@ -175,8 +175,8 @@ dvec3 passivity(const dvec3& force_n, const SafetyInput& input, const SafetyLimi
         return force_n;
     }
 
-    // Controller: the damping d with d v^2 dt equal to the debt. It works on the windowed velocity: one step
-    // of the encoder in one tick, times the damping, is a blow of half a newton.
+    // Controller: the damping d with d v^2 dt equal to the debt. It uses the windowed velocity: one encoder
+    // step in one tick, times the damping, would be a blow of half a newton.
     const dvec3& v = input.velocity_mm_s;
     const double square = glm::dot(v, v);
     if (state.energy_mj >= 0.0 || square == 0.0 || input.dt_s <= 0.0) return force_n;
@@ -197,8 +197,8 @@ dvec3 hand(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
         state.stale_ticks >= limits.stale_ticks && state.stale_s > 2.0 * limits.device_period_s;
     if (input.hand_is_there && !is_stale) {
         if (state.presence == 1.0) return force_n;
-        // From none at all the ramp leads back, and it must see the whole force: a fraction of it would look
-        // small deep in the work.
+        // From zero the ramp leads back. It must see the whole force, because a fraction would look small
+        // deep in the work.
         state.presence =
             state.presence == 0.0 ? 1.0 : std::min(1.0, state.presence + input.dt_s / limits.return_s);
     } else {
@@ -237,7 +237,7 @@ dvec3 budget(const dvec3& force_n, const SafetyInput& input, const SafetyLimits&
 
 dvec3 clamp(const dvec3& force_n, const SafetyInput& /*input*/, const SafetyLimits& limits,
             SafetyState& state) noexcept {
-    // Scaled down by the largest coordinate first: the square of a huge but finite force would be infinite.
+    // Divides by the largest coordinate first: the square of a huge but finite force would overflow.
     const double largest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});
     if (largest > limits.peak_force_n) {
         state.driven_force_n = state.driven_force_n / largest * limits.peak_force_n;
@@ -261,7 +261,7 @@ dvec3 slew(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
     const dvec3 before = state.applied_force_n;
     const double before_n = std::sqrt(glm::dot(before, before));
 
-    // Letting go: along its own line, down to the part of it that is still wanted.
+    // Release: shorten the held force, without turning it, to its part that is still wanted.
     dvec3 held = before;
     dvec3 held_driven = state.applied_driven_n;
     if (before_n > 0.0) {
@@ -271,7 +271,8 @@ dvec3 slew(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
         held_driven *= held_n / before_n;
         if (held_n > wanted_n) return apply(state, held, held_driven);
     }
-    // Growing and turning: from what is held straight towards what is wanted, the motor's part alike.
+    // Growing and turning: move in a straight line from the held to the wanted force, and the driven part
+    // alike.
     const dvec3 way = force_n - held;
     const double fraction = safety::fraction_at_most(way, limits.slew_n_per_s * input.dt_s);
     return apply(state, held + way * fraction, held_driven + (state.driven_force_n - held_driven) * fraction);

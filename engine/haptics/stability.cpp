@@ -20,7 +20,7 @@ constexpr double kStepUp = 1.05;
 constexpr double kStepUpAtLoad = 1.15;
 constexpr double kLeastStiffness = 0.01;
 
-// The tool, and a hand on it where there is one, between two ticks: the force is held, time goes on in small
+// The tool, and optionally a hand on it, between two ticks: the force is held while time advances in small
 // steps. x grows outwards; the wall is below 0.
 struct Body {
     const DeviceCapabilities& device;
@@ -30,7 +30,7 @@ struct Body {
     double hand_x_mm = 0.0;
     double hand_v_mm_s = 0.0;
 
-    // Gives the work of the held force, mJ.
+    // Returns the work of the held force, mJ.
     double advance(double force_n, double dt_s) {
         constexpr double kFinestS = 50e-6;
         const int steps = std::max(4, static_cast<int>(std::ceil(dt_s / kFinestS)));
@@ -49,7 +49,7 @@ struct Body {
                 push_n -= setting.press_n;
             }
             v_mm_s += push_n / device.moving_mass_kg * kMmPerM * h;
-            // Dry friction takes speed away and never turns it around.
+            // Dry friction reduces speed and never reverses it.
             const double loss = device.coulomb_friction_n / device.moving_mass_kg * kMmPerM * h;
             v_mm_s = v_mm_s > 0.0 ? std::max(0.0, v_mm_s - loss) : std::min(0.0, v_mm_s + loss);
             x_mm += v_mm_s * h;
@@ -63,7 +63,7 @@ struct Body {
     }
 };
 
-// What two steps of the encoder cannot tell from rest is rest; what shrinks will be.
+// Motion within two encoder steps counts as rest; a shrinking one will come to rest.
 bool dies_away(const LoopMotion& motion, const DeviceCapabilities& device) {
     constexpr double kLeastMm = 0.02;
     constexpr double kShrinks = 0.95;
@@ -71,13 +71,14 @@ bool dies_away(const LoopMotion& motion, const DeviceCapabilities& device) {
            motion.swing_mm <= kShrinks * motion.earlier_swing_mm;
 }
 
-// The loop is closed no faster than the device speaks, nor than it is spoken to.
+// The loop is closed no faster than the device reports and than it is sent forces.
 double loop_rate_hz(const DeviceCapabilities& device, double rate_hz) {
     const double own_hz = device.wire_rate_hz > 0.0 ? device.wire_rate_hz : device.report_rate_hz;
     return own_hz > 0.0 ? std::min(rate_hz, own_hz) : rate_hz;
 }
 
-// As it is judged: light and slippery where nobody says what it weighs, for both are hard to steady.
+// The device as simulated: if its mass is unknown, light and without friction, because both make it less
+// stable.
 DeviceCapabilities judged(const DeviceCapabilities& device) {
     DeviceCapabilities whole = device;
     if (whole.moving_mass_kg > 0.0) return whole;
@@ -89,8 +90,8 @@ DeviceCapabilities judged(const DeviceCapabilities& device) {
     return whole;
 }
 
-// Tried at some smaller values too, most of them near by: stable here and unstable below would be an island.
-// A load must not take the time of a search.
+// Tries some smaller values too, most of them close by, because a stable value may be an island above
+// unstable ones. A full search would take too long at a start.
 template <typename Try>
 bool is_stable_up_to(double most, Try&& is_good) {
     constexpr double kFractions[] = {0.125, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0};
@@ -140,7 +141,7 @@ LoopMotion run_loop(const DeviceCapabilities& device, const LoopSetting& setting
                              limits, safety)
                     .x;
         }
-        // The force of this reading is felt so many ticks later.
+        // This force acts `delay` ticks later.
         const std::size_t delay = static_cast<std::size_t>(setting.delay_ticks);
         late_n[tick % kMostDelay] = force_n;
         const double held_n = tick >= delay ? late_n[(tick - delay) % kMostDelay] : 0.0;
@@ -153,7 +154,7 @@ LoopMotion run_loop(const DeviceCapabilities& device, const LoopSetting& setting
         low_mm = std::min(low_mm, body.x_mm);
         high_mm = std::max(high_mm, body.x_mm);
         if (tick >= ticks * 3 / 4) motion.energy_mj += given_mj;
-        constexpr double kGoneMm = 1e4;  // it has grown beyond all doubt
+        constexpr double kGoneMm = 1e4;  // it has clearly diverged
         if (!(std::abs(body.x_mm) < kGoneMm)) {
             motion.swing_mm = kGoneMm;
             motion.earlier_swing_mm = 0.0;
@@ -192,7 +193,7 @@ double largest_stable_viscosity_n_s_per_mm(const DeviceCapabilities& device, con
 LoopSetting loop_of(const DeviceCapabilities& device, double rate_hz) {
     LoopSetting setting{.rate_hz = loop_rate_hz(device, rate_hz)};
     if (!device.has_own_walls) setting.stages = kSafetyChain;
-    // A hand that leans harder than the device pushes goes through any wall, and that is no unrest.
+    // A hand that leans harder than the device pushes goes through any wall, which is not an instability.
     if (device.peak_force_n > 0.0) setting.press_n = std::min(setting.press_n, 0.5 * device.peak_force_n);
     constexpr double kRounding = 1e-6;
     const double late_ticks = std::ceil(device.wire_delay_s * setting.rate_hz - kRounding);

@@ -77,7 +77,7 @@ std::int64_t StopKey::round(std::int64_t now_ns) noexcept {
     const std::size_t count = std::min(keyboards_.size(), waits.size());
     for (std::size_t k = 0; k < count; ++k)
         waits[k] = {.fd = keyboards_[k].file, .events = POLLIN, .revents = 0};
-    // With none it is a rest.
+    // Without keyboards this only sleeps.
     if (::poll(waits.data(), count, kWaitMs) <= 0) return 0;
     for (std::size_t k = 0; k < count; ++k)
         if (waits[k].revents != 0) drain(keyboards_[k]);
@@ -93,7 +93,7 @@ void StopKey::drain(StopKeyboard& keyboard) noexcept {
         ::close(std::exchange(keyboard.file, -1));
         return;
     }
-    constexpr std::int32_t kPressed = 1;  // 0 is let go, 2 repeated
+    constexpr std::int32_t kPressed = 1;  // 0 is released, 2 repeated
     const std::size_t count = static_cast<std::size_t>(size) / sizeof(input_event);
     const bool is_pressed = std::any_of(
         events.begin(), events.begin() + static_cast<std::ptrdiff_t>(count), [](const input_event& event) {

@@ -1,9 +1,9 @@
-// The stop key: heard from the kernel itself, on a thread that does nothing else. A window hears keys on the
-// thread that draws, and when that one hangs, nobody hears them. Pause and Stop are meant, on any keyboard; a
-// red button on USB is a keyboard with one key.
+// The stop key, read from the kernel on a thread of its own: a window gets keys on the thread that draws, so
+// they are lost when that thread hangs. The keys are Pause and Stop on any keyboard; a red USB button is a
+// keyboard with one key.
 //
-// It needs leave to read /dev/input (the group input, or a udev rule for the button); without it there is no
-// stop key besides the window's, and `found()` says so. What is plugged in later is found within seconds.
+// It needs permission to read /dev/input (the group input, or a udev rule for the button); without it only
+// the window's stop key works, and found() is 0. A keyboard plugged in later is found within seconds.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +18,12 @@ namespace onggi::haptics {
 
 // A keyboard with a stop key, opened.
 struct StopKeyboard {
-    std::string name;  // of its file, as "event3"
-    int file = -1;     // gives struct input_event, as the kernel does
+    std::string name;  // of its file, such as "event3"
+    int file = -1;     // yields the kernel's struct input_event
 };
 
-// The keyboards under a folder such as /dev/input that have a stop key, may be read and are not among the
-// known names. The caller closes them, or hands them to a StopKey.
+// Opens the keyboards under a folder such as /dev/input that have a stop key, are readable and are not in
+// `known`. The caller closes them, or hands them to a StopKey.
 [[nodiscard]] std::vector<StopKeyboard> open_stop_keys(const std::vector<std::string>& known = {},
                                                        const std::string& folder = "/dev/input");
 
@@ -31,7 +31,7 @@ class StopKey final : public jobs::IoWork {
   public:
     static constexpr std::int64_t kLooksEveryNs = 2'000'000'000;
 
-    // As open_stop_keys(): asked here, and again every kLooksEveryNs on this object's thread.
+    // As open_stop_keys(). Called by the constructor, and every kLooksEveryNs on this object's thread.
     using Find = std::function<std::vector<StopKeyboard>(const std::vector<std::string>& known)>;
     // `pressed` is called on this object's thread, once a press.
     StopKey(Find find, std::function<void()> pressed);
@@ -39,7 +39,7 @@ class StopKey final : public jobs::IoWork {
     StopKey(const StopKey&) = delete;
     StopKey& operator=(const StopKey&) = delete;
 
-    // How many keyboards are listened to. Before the thread is started, or on it.
+    // The number of open keyboards. Before the thread is started, or on it.
     [[nodiscard]] std::size_t found() const noexcept { return keyboards_.size(); }
 
     // Waits for a key, 20 ms at most.

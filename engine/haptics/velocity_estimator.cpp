@@ -7,11 +7,11 @@
 namespace onggi::haptics {
 namespace {
 
-// Of a device that tells no step: below it nobody feels anything, and a double's last bits are far below.
+// The step of a device that states none: too small to feel, and far above a double's rounding.
 constexpr double kLeastStepMm = 0.002;
 
-// Between two positions that are kept. Not quite a ms, so that rounding does not decide where ticks divide
-// it.
+// The least time between two stored positions. Slightly below 1 ms, so that rounding does not decide which
+// tick is stored.
 constexpr double kSpacingS = 0.00095;
 
 }  // namespace
@@ -36,7 +36,7 @@ dvec3 VelocityEstimator::update(const dvec3& position_mm, double dt_s) noexcept 
         for (int axis = 0; axis < 3; ++axis) {
             auto& is_open = open[static_cast<std::size_t>(axis)];
             if (!is_open) continue;
-            // A line to this position would miss one of the newer ones: the window ends before it.
+            // A line to this position would miss a newer one by more than a step: the window ends before it.
             is_open = slope[axis] >= low[axis] && slope[axis] <= high[axis];
             if (!is_open) continue;
             velocity_mm_s[axis] = slope[axis];

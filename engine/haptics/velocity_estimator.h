@@ -1,5 +1,5 @@
-// How fast the tool moves, from positions that come in steps of an encoder. One thread at a time; some tens
-// of ns, no allocation. mm, s.
+// Estimates the tool's velocity from quantised encoder positions. One thread at a time; some tens of ns, no
+// allocation. mm, s.
 //
 // One step of 0.055 mm between two ticks at 4 kHz reads as 220 mm/s, and a viscous force of that shakes the
 // hand. So a window is laid over the past: the longest one, up to 15 ms, over which a straight line from its
@@ -22,13 +22,12 @@ class VelocityEstimator {
   public:
     static constexpr double kWindowS = 0.015;
 
-    // step_mm: the encoder's, 0: finer than matters.
+    // step_mm: of the encoder; 0: negligible.
     explicit VelocityEstimator(double step_mm = 0.0);
 
-    // The next position, dt_s after the last. Gives mm/s; zero at the first. A position that is not a finite
-    // number counts as none.
+    // Takes the next position, dt_s after the last. Returns the velocity in mm/s; zero at the first call. A
+    // position that is not finite is ignored.
     dvec3 update(const dvec3& position_mm, double dt_s) noexcept;
-    // Forgets the past.
     void restart() noexcept { count_ = 0; }
 
   private:

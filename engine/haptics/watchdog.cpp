@@ -8,7 +8,7 @@ namespace onggi::haptics {
 namespace {
 
 constexpr std::int64_t kLookEveryNs = 1'000'000;
-// Below the haptic loop's own: it must never keep it waiting.
+// Below the haptic loop's priority: the watchdog must never delay it.
 constexpr int kFifoPriority = 40;
 
 }  // namespace
@@ -29,7 +29,7 @@ bool Watchdog::Watched::stands_still(std::uint64_t count, std::int64_t now_ns, s
 std::int64_t Watchdog::round(std::int64_t now_ns) noexcept {
     if (!has_asked_for_time_) {
         has_asked_for_time_ = true;
-        // Refused to most: then it is as punctual as any other thread.
+        // Most systems refuse it; then the thread has normal priority.
         static_cast<void>(jobs::ask_for_fifo(kFifoPriority));
     }
     picture_stands_still_.store(
@@ -38,7 +38,7 @@ std::int64_t Watchdog::round(std::int64_t now_ns) noexcept {
     const bool was_silent = is_silent_;
     is_silent_ = loop_.stands_still(beats_.load(std::memory_order_relaxed), now_ns, loop_silence_ns_);
     if (is_silent_) {
-        // First the count: a loop that wakes up in between must not take its old force for the device's.
+        // Count first: a loop that wakes up in between must not assume that its old force is still applied.
         if (!was_silent)
             silences_.store(silences_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
         device_.silence();

@@ -1,13 +1,12 @@
-// Watches the haptic loop from another thread, and takes the force away when it stands still. The device
-// keeps the last force it was told: a loop that hangs, or that the kernel does not run, goes on pushing.
+// Watches the haptic loop from another thread and removes the force when the loop hangs. A device keeps the
+// last force it was sent, so a loop that hangs, or that the kernel does not run, goes on pushing.
 //
-// It watches the picture too. A visitor whose screen stands still has no key and no button that is heard;
-// after two seconds nobody is at the wheel as far as the force is concerned, and it comes back through the
-// ramp.
+// It watches the picture too. While the screen hangs, no key and no button works; after two seconds the hand
+// counts as absent, and the force comes back through the ramp.
 //
-// Within 5 ms, SAFETY.md says. The thread looks every ms, on the cores the haptic loop does not have, at a
-// real-time priority where that is granted; without it the kernel may keep it waiting for some ms more. A
-// device on USB hears of it with its next packet: HID reports go out every 4 ms, so 5 + 1 + 4 ms.
+// The timeout is 5 ms (SAFETY.md). The thread checks every ms, on the other cores, with real-time priority if
+// granted; without it the kernel may delay it by some ms. A USB device learns of it with its next packet: HID
+// reports go out every 4 ms, so 5 + 1 + 4 ms.
 #pragma once
 
 #include <atomic>
@@ -21,7 +20,7 @@ namespace onggi::haptics {
 struct WatchdogOptions {
     std::int64_t loop_silence_ns = 5'000'000;
     std::int64_t picture_silence_ns = 2'000'000'000;
-    // The loop may be slow by design: at least so many of its periods.
+    // The loop may be slow by design: the timeout is at least least_periods of its periods.
     double rate_hz = 4000.0;
     double least_periods = 3.0;
 };
@@ -33,15 +32,15 @@ class Watchdog final : public jobs::IoWork {
 
     // Haptic thread, once a tick. Wait-free.
     void beat() noexcept { count_up(beats_); }
-    // Haptic thread: how often the loop was found standing still; the device was let go each time.
+    // Haptic thread: how often the loop was found hanging; each time the device was silenced.
     [[nodiscard]] std::uint32_t silences() const noexcept {
         return silences_.load(std::memory_order_acquire);
     }
-    // Haptic thread: the picture stands still.
+    // Haptic thread: the picture hangs.
     [[nodiscard]] bool picture_stands_still() const noexcept {
         return picture_stands_still_.load(std::memory_order_relaxed);
     }
-    // Main thread, once a frame. Wait-free. Before the first nothing is expected.
+    // Main thread, once a frame. Wait-free. The watch begins with the first call.
     void picture_is_alive() noexcept { count_up(pictures_); }
 
     // The watchdog's thread; times in ns of any clock that goes on.
@@ -54,7 +53,7 @@ class Watchdog final : public jobs::IoWork {
         counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     }
 
-    // Since when a counter has stood still.
+    // How long a counter has not changed.
     struct Watched {
         std::uint64_t last = 0;
         std::int64_t since_ns = 0;

@@ -1,5 +1,5 @@
-// The machine's monotonic clock, as the pacer wants a clock. Tests hand the pacer a virtual one instead.
-// Any thread; ns. A clock read is about 25 ns (vDSO, no system call); the sleep is a system call.
+// The monotonic clock that the pacer uses. Tests pass a virtual one instead. Any thread; ns. A clock read is
+// about 25 ns (vDSO, no system call); the sleep is a system call.
 #pragma once
 
 #include <cerrno>
@@ -10,7 +10,7 @@
 
 namespace onggi::jobs {
 
-// What a pacer needs of a clock. relax() is one breath of a spinning wait.
+// The interface of a clock for the pacer. relax() is called in each iteration of a spin wait.
 template <typename T>
 concept PacerClock = requires(T clock, std::int64_t time_ns) {
     { clock.now_ns() }
@@ -34,7 +34,7 @@ class MonotonicClock {
         return static_cast<double>(now_ns()) / static_cast<double>(kNsPerSecond);
     }
 
-    // Returns at the earliest at time_ns: a signal does not end the wait.
+    // Returns no earlier than time_ns: a signal does not end the wait.
     static void sleep_until_ns(std::int64_t time_ns) noexcept {
         const timespec until{.tv_sec = time_ns / kNsPerSecond, .tv_nsec = time_ns % kNsPerSecond};
         while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
@@ -50,8 +50,8 @@ class MonotonicClock {
     }
 };
 
-// What the calling thread has had of a processor, without its waits, ns: by how much it grows is what work
-// has cost.
+// The processor time of the calling thread, ns; it excludes waits, so a difference is the cost of the work
+// between.
 class ThreadClock {
   public:
     [[nodiscard]] static std::int64_t now_ns() noexcept {

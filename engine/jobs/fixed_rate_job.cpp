@@ -42,7 +42,8 @@ void FixedRateJob::run(PeriodicWork& work, std::latch& set_up) noexcept {
     name_this_thread(options_.thread_name.c_str());
     report_ = set_up_this_thread(options_.real_time);
     set_up.count_down();
-    // Not one tick before the owner has seen the report: under kEnforce a refusal means none at all.
+    // No tick before the owner has checked the report: under kEnforce a refusal means that the job does not
+    // run.
     go_.wait(false, std::memory_order_acquire);
 
     MonotonicClock clock;

@@ -1,4 +1,4 @@
-// A thread that does one thing at a fixed rate, punctually: the loop, its thread and its real-time set-up.
+// A thread that runs work at a fixed rate: the loop, its thread and its real-time set-up.
 #pragma once
 
 #include <atomic>
@@ -13,18 +13,18 @@
 
 namespace onggi::jobs {
 
-// What a job does, once a period.
+// The work of a job, called once a period.
 class PeriodicWork {
   public:
     virtual ~PeriodicWork() = default;
 
     // The job's thread. No lock, allocation or system call. False ends the job.
     [[nodiscard]] virtual bool tick(const Period& period) noexcept = 0;
-    // Likewise, after each tick: whether the next is worth the part of a core that spinning for it takes.
+    // Likewise, after each tick: whether the next tick needs a spin wait, which costs part of a core.
     [[nodiscard]] virtual bool needs_punctuality() const noexcept { return true; }
 };
 
-// The loop itself, on any clock. Ends when the work says so or `stop` is set; at most one period later.
+// The loop itself, on any clock. Ends when tick() returns false or `stop` is set; at most one period later.
 template <PacerClock Clock>
 void run_fixed_rate(Pacer<Clock>& pacer, PeriodicWork& work, const std::atomic<bool>& stop) noexcept {
     bool more = true;
@@ -57,11 +57,11 @@ class FixedRateJob {
     FixedRateJob(const FixedRateJob&) = delete;
     FixedRateJob& operator=(const FixedRateJob&) = delete;
 
-    // Starts the thread and waits until it has set itself up. `work` must outlive the job's run.
-    // Errors: kSystemLacks under kEnforce when anything was refused, naming the first lack and its remedy;
-    // kFailed when no thread can be made. Precondition: not running.
+    // Starts the thread and waits until it has set itself up. `work` must outlive the job's run. Errors:
+    // kSystemLacks under kEnforce if anything was refused, naming the first lack and its remedy; kFailed if
+    // the thread cannot start. Precondition: not running.
     Result<void> start(PeriodicWork& work);
-    // Ends the loop within about a period and joins the thread. Harmless when it does not run.
+    // Ends the loop within about a period and joins the thread. Does nothing if it is not running.
     void stop() noexcept;
 
     // Any thread: the loop has ended, by itself or by stop().

@@ -1,5 +1,5 @@
-// The picture's clock: frames at a steady rate of their own, or by the display's beat where its driver tells
-// of it. One thread, the main one; a late frame is followed at once, never by a bunch.
+// Paces frames at a steady rate, or by the display's refresh if its driver reports it. Main thread. A late
+// frame is followed at once by one frame, never by several.
 #pragma once
 
 #include <algorithm>
@@ -17,24 +17,25 @@ class FramePacer {
         : clock_(clock),
           pacer_(clock, {.rate_hz = rate_hz, .wait = WaitMode::kSleep, .leave_rest = false}) {}
 
-    // Sleeps until the next frame is due; not at all if it is late. on_beat: the display has this moment
-    // shown the frame before, so that the next is due now, and those after it a period each from now. A
-    // driver that says so sooner than any display can is not believed.
+    // Sleeps until the next frame is due; not at all if it is late. on_beat: the display has just shown the
+    // previous frame, so the next is due now, and later ones at whole periods from now. An implausibly early
+    // report is limited to kLeastPart of a period.
     void wait(bool on_beat = false) noexcept {
         const std::int64_t before_ns = frame_.start_ns;
         if (on_beat) {
-            constexpr double kLeastPart = 0.75;  // of a period: a frame may have begun late, the beat is not
+            constexpr double kLeastPart =
+                0.75;  // of a period: the previous frame may have begun late, but the refresh is regular
             const auto least_ns = static_cast<std::int64_t>(kLeastPart * pacer_.period_ns());
             pacer_.align_next(std::max(clock_.now_ns(), before_ns + least_ns));
         }
         frame_ = pacer_.wait_for_next();
         if (frame_.tick > 0) interval_ns_.record(frame_.start_ns - before_ns);
     }
-    // The frame is drawn.
+    // Call when the frame is drawn.
     void finish() noexcept { pacer_.finish(frame_); }
 
     [[nodiscard]] std::uint64_t frames() const noexcept { return pacer_.stats().ticks; }
-    // How long the frames' work took, from wait() to finish().
+    // The frames' work, from wait() to finish().
     [[nodiscard]] const Histogram& work_ns() const noexcept { return pacer_.stats().tick_ns; }
     // From the start of one frame to the start of the next.
     [[nodiscard]] const Histogram& interval_ns() const noexcept { return interval_ns_; }
@@ -46,9 +47,9 @@ class FramePacer {
     Histogram interval_ns_;
 };
 
-// Whether a display is asked for its beat: a driver that let the whole wait go by (a display that is off, a
-// window that nobody sees) is asked again a second later, then two, up to minutes, so that waiting for
-// nothing costs next to nothing. Times in ns of one clock; one thread.
+// Decides whether to wait for the display's refresh. After a timeout (a display that is off, a hidden window)
+// it tries again a second later, then two, up to minutes, so that the timeouts cost almost nothing. Times in
+// ns of one clock; one thread.
 class DisplayBeat {
   public:
     [[nodiscard]] bool is_asked(std::int64_t now_ns) const noexcept { return now_ns >= asked_from_ns_; }
@@ -66,17 +67,17 @@ class DisplayBeat {
     std::int64_t pause_ns_ = kFirstPauseNs;
 };
 
-// How many frames a second suit a display. Any thread; pure.
+// The frame rate for a display. Any thread; pure.
 
 constexpr double kUsualFrameRateHz = 60.0;
 
-// The display's own rate, or the largest whole fraction of it that is not above most_hz: every frame is then
-// shown for as many refreshes as the next. A display that says nothing (0), or what none does, is a usual
-// one. most_hz: from kUsualFrameRateHz on.
+// Returns the display's refresh rate, or the largest whole fraction that is not above most_hz, so that every
+// frame is shown for the same number of refreshes. An unknown (0) or implausible rate counts as
+// kUsualFrameRateHz. most_hz: at least kUsualFrameRateHz.
 [[nodiscard]] inline double frame_rate_hz(double refresh_hz, double most_hz) {
     constexpr double kLeastHz = 20.0;
     constexpr double kMostHz = 1000.0;
-    constexpr double kRounding = 1.01;  // drivers say 75 of 74.97, and 61 of 60.6
+    constexpr double kRounding = 1.01;  // drivers round 74.97 to 75, and 60.6 to 61
     if (!(refresh_hz >= kLeastHz && refresh_hz <= kMostHz)) return kUsualFrameRateHz;
     return refresh_hz / std::max(1.0, std::ceil(refresh_hz / (kRounding * most_hz)));
 }

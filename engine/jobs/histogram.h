@@ -12,7 +12,7 @@ namespace onggi::jobs {
 
 class Histogram {
   public:
-    // Negative values (a clock cannot give them, a test may) count as zero.
+    // Negative values count as zero.
     void record(std::int64_t value) noexcept {
         const auto positive = static_cast<std::uint64_t>(std::max<std::int64_t>(value, 0));
         ++buckets_[bucket_of(positive)];
@@ -23,8 +23,8 @@ class Histogram {
     [[nodiscard]] std::uint64_t count() const noexcept { return count_; }
     [[nodiscard]] std::uint64_t max() const noexcept { return max_; }
 
-    // The value below or at which the fraction lies, 0 < fraction <= 1: the upper edge of its bucket (never
-    // better than the truth, at most 3 % worse), and never above the largest value seen. 0 while empty.
+    // The value that a `fraction` (0 < fraction <= 1) of the values do not exceed. Returns the bucket's upper
+    // edge, at most 3 % too large and at most the largest value seen. 0 while empty.
     [[nodiscard]] std::uint64_t percentile(double fraction) const noexcept {
         if (count_ == 0) return 0;
         const double wanted = fraction * static_cast<double>(count_);
@@ -38,10 +38,10 @@ class Histogram {
     }
 
   private:
-    static constexpr unsigned kSubBits = 5;  // 32 buckets an octave
+    static constexpr unsigned kSubBits = 5;  // 32 buckets per octave
     static constexpr std::uint64_t kSubBuckets = 1U << kSubBits;
     static constexpr std::uint64_t kExact = 2 * kSubBuckets;
-    static constexpr unsigned kMaxBits = 40;  // 2^40 ns are 18 minutes; more is counted in the last bucket
+    static constexpr unsigned kMaxBits = 40;  // 2^40 ns are 18 minutes; larger values go into the last bucket
     static constexpr std::size_t kBuckets = kExact + (kMaxBits - kSubBits - 1) * kSubBuckets;
 
     static std::size_t bucket_of(std::uint64_t value) noexcept {

@@ -17,7 +17,7 @@
 namespace onggi::jobs {
 namespace {
 
-// The descriptors and signals with which it begins.
+// The descriptors and signal mask of the new process.
 class Beginning {
   public:
     explicit Beginning(int input) {
@@ -26,7 +26,7 @@ class Beginning {
         ::posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         ::posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1);
         ::posix_spawnattr_init(&attributes_);
-        // Threads of this program may hold signals back; who is told to end shall.
+        // This program's threads may block signals; the child must receive them, so that it can be ended.
         sigset_t none;
         ::sigemptyset(&none);
         ::posix_spawnattr_setsigmask(&attributes_, &none);
@@ -39,7 +39,7 @@ class Beginning {
     Beginning(const Beginning&) = delete;
     Beginning& operator=(const Beginning&) = delete;
 
-    // 0, or an error's number.
+    // Returns 0 or an errno.
     [[nodiscard]] int run(std::vector<std::string>& words, pid_t& process) const {
         std::vector<char*> pointers;
         for (std::string& word : words)
@@ -57,7 +57,7 @@ class Beginning {
 }  // namespace
 
 Result<IdleProcess> IdleProcess::start(std::vector<std::string> words) {
-    // A socket, not a pipe: to write to one whose reader is gone is no signal.
+    // A socket, not a pipe: writing without a reader then raises no SIGPIPE.
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return system_lacks(fmt::format("{}: {}", words.front(), std::strerror(errno)));
@@ -68,7 +68,7 @@ Result<IdleProcess> IdleProcess::start(std::vector<std::string> words) {
     ::close(ends[1]);
     if (lack != 0) return system_lacks(fmt::format("{}: {}", words.front(), std::strerror(lack)));
     started.process_ = process;
-    // From here, because posix_spawnattr_setschedpolicy() of glibc refuses this policy.
+    // Set here, because glibc's posix_spawnattr_setschedpolicy() refuses SCHED_IDLE.
     const sched_param no_priority{};
     ::sched_setscheduler(process, SCHED_IDLE, &no_priority);
     return started;

@@ -1,7 +1,6 @@
-// A program at work beside this one, which gets only what nobody else wants of the processor (SCHED_IDLE), so
-// that neither a tick nor a picture waits for it. It hears what it is told on its standard input, says its
-// errors where this program says its own, and inherits nothing else. One thread at a time; nothing blocks but
-// the end of a process that was killed.
+// Runs another program with idle priority (SCHED_IDLE), so that it delays neither ticks nor frames. It reads
+// lines from its standard input, shares this program's standard error, and inherits nothing else. One thread
+// at a time; only waiting for a killed process blocks.
 #pragma once
 
 #include <sys/types.h>
@@ -17,7 +16,8 @@ namespace onggi::jobs {
 
 class IdleProcess {
   public:
-    // The first of the words is the program's path. System lacks: no such program, no process.
+    // The first word is the program's path. Error: system lacks, if there is no such program or no process
+    // can be made.
     [[nodiscard]] static Result<IdleProcess> start(std::vector<std::string> words);
     IdleProcess(IdleProcess&& other) noexcept { swap(other); }
     IdleProcess& operator=(IdleProcess&& other) noexcept {
@@ -26,13 +26,13 @@ class IdleProcess {
     }
     IdleProcess(const IdleProcess&) = delete;
     IdleProcess& operator=(const IdleProcess&) = delete;
-    // Whoever is still at work is killed.
+    // Kills the process if it still runs.
     ~IdleProcess();
 
-    // The last that it is told. Whether it still listens does not matter.
+    // Sends one line and closes its input. Ignores errors: the process may have ended.
     void tell(std::string_view line);
     [[nodiscard]] bool is_at_work();
-    // It has ended, and says that all went well.
+    // It has ended with exit code 0.
     [[nodiscard]] bool has_succeeded() const { return has_succeeded_; }
 
   private:

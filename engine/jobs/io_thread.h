@@ -1,5 +1,5 @@
-// A thread that waits for something slow - a device, a socket - so that nobody else has to. Its work does one
-// round after the other and says how long it may rest between them. Times are ns of the monotonic clock.
+// A thread for blocking work, such as a device or a socket. It calls round() repeatedly; each call returns
+// the time to sleep before the next. Times are ns of the monotonic clock.
 #pragma once
 
 #include <condition_variable>
@@ -16,10 +16,10 @@ class IoWork {
   public:
     virtual ~IoWork() = default;
 
-    // The I/O thread. May block, but for tens of ms at most: stop() waits for the round to end. Returns how
-    // long to rest before the next, 0: not at all.
+    // The I/O thread. May block for at most tens of ms, because stop() waits for the round to end. Returns
+    // how long to sleep before the next round; 0: no sleep.
     [[nodiscard]] virtual std::int64_t round(std::int64_t now_ns) noexcept = 0;
-    // The I/O thread, once, after the last round: the place to leave a device in peace.
+    // The I/O thread, once, after the last round: clean up, such as by stopping a device.
     virtual void finish() noexcept = 0;
 };
 
@@ -31,10 +31,10 @@ class IoThread {
     IoThread(const IoThread&) = delete;
     IoThread& operator=(const IoThread&) = delete;
 
-    // `work` must outlive the run; `name` has at most 15 letters. The thread is an ordinary one and inherits
-    // the caller's cores. Error: kFailed when no thread can be made. Precondition: not running.
+    // `work` must outlive the run; `name` has at most 15 letters. The thread has normal priority and inherits
+    // the caller's cores. Error: kFailed if the thread cannot start. Precondition: not running.
     Result<void> start(IoWork& work, const std::string& name);
-    // Ends any rest at once, waits for the round and for finish(), joins. Harmless when it does not run.
+    // Interrupts the sleep, waits for the round and finish(), and joins. Does nothing if it is not running.
     void stop() noexcept;
     [[nodiscard]] bool running() const noexcept { return thread_.joinable(); }
 
@@ -47,7 +47,7 @@ class IoThread {
     std::thread thread_;
 };
 
-// A lock for libraries that bear one caller at a time, shared by I/O threads. Never near the tick.
+// A lock for libraries that allow one caller at a time, shared by I/O threads. Never used by the tick.
 using Turnstile = std::mutex;
 using TurnstilePass = std::lock_guard<Turnstile>;
 

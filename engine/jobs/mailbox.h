@@ -1,5 +1,5 @@
-// A place where one thread leaves its latest small value for another: a triple buffer with the manners of a
-// variable. One writer thread, one reader thread, both wait-free.
+// Passes the latest small value from one thread to another: a triple buffer used like a variable. One writer
+// thread, one reader thread, both wait-free.
 #pragma once
 
 #include "engine/jobs/triple_buffer.h"
@@ -17,7 +17,8 @@ class Mailbox {
         buffer_.publish();
     }
 
-    // Reader thread. The latest value put, or the initial one; stays as it is until the next call.
+    // Reader thread. Returns the latest value put, or the initial one; the reference's value does not change
+    // until the next call.
     [[nodiscard]] const T& latest() noexcept {
         buffer_.acquire();
         return buffer_.reading();

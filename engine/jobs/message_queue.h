@@ -1,5 +1,5 @@
-// Messages from one thread to another, first in first out: of any size, for the ring holds them by reference.
-// One thread posts, one takes; both wait-free but for the memory of a message.
+// A FIFO queue of messages of any size from one thread to another; the ring holds shared pointers. One thread
+// posts, one takes; both wait-free apart from allocating and freeing a message.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@ namespace onggi::jobs {
 template <typename Message>
 class MessageQueue {
   public:
-    // At most so many wait.
+    // capacity: the largest number of waiting messages.
     explicit MessageQueue(std::size_t capacity) : ring_(capacity) {}
 
-    // Posting thread. Dropped where too many wait.
+    // Posting thread. Drops the message if the queue is full.
     void post(Message message) {
         static_cast<void>(ring_.try_push(std::make_shared<const Message>(std::move(message))));
     }
-    // Taking thread. Null: none waits.
+    // Taking thread. Returns null if the queue is empty.
     [[nodiscard]] std::shared_ptr<const Message> next() noexcept {
         std::shared_ptr<const Message> next;
         return ring_.try_pop(next) ? next : nullptr;
@@ -31,7 +31,7 @@ class MessageQueue {
     SpscRing<std::shared_ptr<const Message>> ring_;
 };
 
-// What one thread asks another to do, in the other's own rounds.
+// Tasks that one thread asks another to run in its own rounds.
 using TaskQueue = MessageQueue<std::function<void()>>;
 
 }  // namespace onggi::jobs

@@ -1,9 +1,8 @@
-// Waits for the periods of a fixed rate and keeps the books: who was late, what was skipped, how long it all
-// took. The clock is a parameter, so that tests drive it by a virtual one. One thread; times in ns.
+// Waits for the periods of a fixed rate and keeps statistics: late wake-ups, skipped periods, work times. The
+// clock is a parameter, so that tests can use a virtual one. One thread; times in ns.
 //
-// Deadline k lies at origin + k / rate, never at a running sum, so the rate does not drift.
-// A loop that comes late runs once, in the period it finds itself in: the periods gone by are skipped and
-// counted, never replayed in a bunch.
+// Deadline k is origin + k / rate, not a running sum, so the rate does not drift. A late loop runs once, in
+// the current period: missed periods are skipped and counted, never caught up.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +13,15 @@
 
 namespace onggi::jobs {
 
-// What a fixed-rate loop measures of itself. Written by its own thread, read by others after it has ended.
+// The statistics of a fixed-rate loop. Written by its own thread, read by others after it has ended.
 struct TickStats {
-    Histogram tick_ns;  // how long the work took
-    Histogram
-        wake_latency_ns;      // start of the work minus the deadline that was waited for, after any spinning
-    std::uint64_t ticks = 0;  // how often the work ran
-    std::uint64_t skipped_periods = 0;  // periods that had gone by before their work could begin
+    Histogram tick_ns;                  // the duration of the work
+    Histogram wake_latency_ns;          // start of the work minus the awaited deadline
+    std::uint64_t ticks = 0;            // number of runs
+    std::uint64_t skipped_periods = 0;  // periods that had passed before their work could begin
     std::uint64_t overrun_periods = 0;  // periods whose work ended after the next deadline
 
-    // Periods whose tick had not finished one period after its deadline, skipped periods counted.
+    // Periods whose tick had not finished one period after its deadline, including skipped periods.
     [[nodiscard]] std::uint64_t missed_deadlines() const noexcept {
         return skipped_periods + overrun_periods;
     }
@@ -34,8 +32,8 @@ enum class WaitMode {
     kSleep,   // sleep only: cheap, late by the kernel's wake-up time (5 to 50 us)
 };
 
-// How long before a deadline the hybrid wait leaves its sleep: longer than a usual wake-up (p99 about 40 us),
-// and never so long that the spinning takes half the core.
+// How long before a deadline the hybrid wait stops sleeping and spins: longer than a usual wake-up (p99 about
+// 40 us), but short enough that spinning takes less than half of the core.
 [[nodiscard]] inline std::int64_t default_guard_ns(double rate_hz) {
     constexpr double kLongestNs = 150'000.0;
     constexpr double kFractionOfPeriod = 0.4;
@@ -45,19 +43,19 @@ enum class WaitMode {
 struct PacerOptions {
     double rate_hz = 1000.0;  // above 0
     WaitMode wait = WaitMode::kHybrid;
-    // Never take more than 90 % of the core, even when overloaded. A real-time thread that does not sleep is
-    // stopped by the kernel for 50 ms in every second; a thread without that power need not care.
+    // Never take more than 90 % of the core, even when overloaded. The kernel stops a real-time thread that
+    // does not sleep for 50 ms in every second; other threads do not need this.
     bool leave_rest = true;
 };
 
-// One period as its work sees it.
+// One period, passed to the work.
 struct Period {
-    std::uint64_t index = 0;       // which deadline this is, skipped ones counted
-    std::uint64_t tick = 0;        // how often the work has run before
-    std::uint64_t skipped = 0;     // periods that went by since the last tick
+    std::uint64_t index = 0;       // number of the deadline, counting skipped ones
+    std::uint64_t tick = 0;        // number of earlier runs
+    std::uint64_t skipped = 0;     // periods missed since the last tick
     std::int64_t deadline_ns = 0;  // of `index`
-    std::int64_t start_ns = 0;     // when the work really began
-    double dt_s = 0.0;             // time to advance: one period, two at most however many were skipped
+    std::int64_t start_ns = 0;     // when the work began
+    double dt_s = 0.0;             // time to advance: one period, at most two however many were skipped
 };
 
 template <PacerClock Clock>
@@ -73,7 +71,7 @@ class Pacer {
           origin_ns_(clock.now_ns() + static_cast<std::int64_t>(period_ns_)),
           awake_since_ns_(clock.now_ns()) {}
 
-    // Waits for the next deadline (not at all if it is past) and says which period has begun.
+    // Waits for the next deadline (not at all if it has passed) and returns the period that has begun.
     Period wait_for_next() noexcept {
         const std::uint64_t index = awaited();
         const std::int64_t awaited_ns = deadline_ns(index);
@@ -90,23 +88,23 @@ class Pacer {
 
         last_index_ = period.index;
         stats_.skipped_periods += period.skipped;
-        // Against the deadline that was waited for: a skip must not make a late wake-up look small.
+        // Relative to the awaited deadline: a skip must not hide a late wake-up.
         stats_.wake_latency_ns.record(start_ns - awaited_ns);
         ++stats_.ticks;
         return period;
     }
 
-    // To be called when the period's work is done.
+    // Call when the period's work is done.
     void finish(const Period& period) noexcept {
         const std::int64_t end_ns = clock_.now_ns();
         stats_.tick_ns.record(end_ns - period.start_ns);
         if (end_ns > deadline_ns(period.index + 1)) ++stats_.overrun_periods;
     }
 
-    // Whether the next waits spin at their ends, where the pacer's wait is hybrid; from the start they do.
+    // Sets whether hybrid waits spin before the deadline (default: yes).
     void be_punctual(bool punctual) noexcept { guard_ns_ = punctual ? hybrid_guard_ns_ : 0; }
 
-    // Moves every deadline so that the next is at this time: for who goes by another's beat.
+    // Moves every deadline so that the next is at this time, to follow another clock.
     void align_next(std::int64_t time_ns) noexcept { origin_ns_ += time_ns - deadline_ns(awaited()); }
 
     [[nodiscard]] double period_ns() const noexcept { return period_ns_; }
@@ -118,7 +116,7 @@ class Pacer {
   private:
     [[nodiscard]] std::uint64_t awaited() const noexcept { return stats_.ticks == 0 ? 0 : last_index_ + 1; }
 
-    // The last period whose deadline is not after the time.
+    // The last period whose deadline is not after time_ns.
     [[nodiscard]] std::uint64_t index_at(std::int64_t time_ns) const noexcept {
         if (time_ns <= origin_ns_) return 0;
         auto index = static_cast<std::uint64_t>(static_cast<double>(time_ns - origin_ns_) / period_ns_);
@@ -132,7 +130,8 @@ class Pacer {
 
     std::int64_t wait_until(std::int64_t deadline_ns) noexcept {
         const std::int64_t now_ns = clock_.now_ns();
-        // A ninth of all time awake is owed as rest: 90 % awake, 10 % asleep. Usual sleeps pay it many times.
+        // Each time awake requires a ninth of it asleep: 90 % awake, 10 % asleep. Normal sleeps far exceed
+        // that.
         if (leave_rest_) rest_owed_ns_ += (now_ns - awake_since_ns_) / kAwakePerRest;
         std::int64_t wake_ns = deadline_ns - guard_ns_;
         if (rest_owed_ns_ >= kLeastRestNs) wake_ns = std::max(wake_ns, now_ns + rest_owed_ns_);
@@ -151,7 +150,7 @@ class Pacer {
     }
 
     static constexpr std::int64_t kAwakePerRest = 9;
-    static constexpr std::int64_t kLeastRestNs = 100'000;  // shorter sleeps cost more than they give
+    static constexpr std::int64_t kLeastRestNs = 100'000;  // shorter sleeps are not worth their cost
 
     Clock& clock_;
     bool leave_rest_;

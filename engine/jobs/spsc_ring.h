@@ -1,6 +1,6 @@
-// A bounded queue from one thread to one other, first in first out, for streams of which nothing may be lost
-// silently: commands, tick records, log items. One producer thread, one consumer thread, both wait-free.
-// A full ring refuses; whether that is a drop to be counted is the caller's affair.
+// A bounded FIFO queue from one thread to another, for streams that must not lose values silently: commands,
+// tick records, log items. One producer thread, one consumer thread, both wait-free. A full ring refuses a
+// value; the caller decides whether to drop and count it.
 #pragma once
 
 #include <atomic>
@@ -14,8 +14,8 @@
 
 namespace onggi::jobs {
 
-// Each side keeps its own copy of the other's index and looks at the shared one only when the copy says full
-// (or empty): most calls touch no cache line that the other side writes.
+// Each side caches the other's index and reads the shared one only when the cached one says full (or empty):
+// most calls touch no cache line that the other side writes.
 template <typename T>
 class SpscRing {
     static_assert(std::is_nothrow_copy_assignable_v<T> && std::is_nothrow_move_assignable_v<T>);
@@ -30,7 +30,7 @@ class SpscRing {
 
     [[nodiscard]] std::size_t capacity() const noexcept { return slots_.size(); }
 
-    // Producer thread. False, and nothing done, when the ring is full.
+    // Producer thread. Returns false and does nothing if the ring is full.
     [[nodiscard]] bool try_push(const T& value) noexcept {
         const std::size_t tail = producer_.own.load(std::memory_order_relaxed);
         if (tail - producer_.other == slots_.size()) {
@@ -42,8 +42,8 @@ class SpscRing {
         return true;
     }
 
-    // Consumer thread. False, and `value` untouched, when the ring is empty. What is taken leaves the ring:
-    // a slot that kept its copy would keep a shared value alive until the ring comes round.
+    // Consumer thread. Returns false and leaves `value` unchanged if the ring is empty. The slot is cleared:
+    // a copy left there would keep a shared pointer's object alive until the slot is reused.
     [[nodiscard]] bool try_pop(T& value) noexcept {
         const std::size_t head = consumer_.own.load(std::memory_order_relaxed);
         if (head == consumer_.other) {
@@ -56,10 +56,10 @@ class SpscRing {
     }
 
   private:
-    // Indices count for ever and are masked on use, so full and empty never look alike.
+    // Indices are never reduced and are masked on use, so full and empty differ.
     struct alignas(kCacheLine) Side {
         std::atomic<std::size_t> own{0};  // written by this side, read by both
-        std::size_t other = 0;            // this side's last look at the other's
+        std::size_t other = 0;            // cached copy of the other side's index
     };
     std::vector<T> slots_;
     Side producer_;

@@ -20,16 +20,17 @@ sigset_t signals_to_hand_on() {
     return set;
 }
 
-// Waits until the child has ended; gives its status.
+// Waits until the child has ended. Returns its status.
 int wait_for(pid_t child, const sigset_t& watched) {
     for (;;) {
         int status = 0;
-        // First: it may have ended before anybody waited for a signal.
+        // Check first: the child may have ended before the wait for signals.
         const pid_t ended = ::waitpid(child, &status, WNOHANG);
         if (ended == child || (ended < 0 && errno != EINTR)) return status;
         siginfo_t info{};
         const int signal = ::sigwaitinfo(&watched, &info);
-        // A terminal sends to the whole group; only what a process sent was for the supervisor alone.
+        // A terminal's signal reaches the whole process group; only one sent by a process was for the
+        // supervisor alone.
         const bool was_sent = info.si_code == SI_USER || info.si_code == SI_QUEUE || info.si_code == SI_TKILL;
         if (signal > 0 && signal != SIGCHLD && was_sent) ::kill(child, signal);
     }
@@ -38,8 +39,8 @@ int wait_for(pid_t child, const sigset_t& watched) {
 }  // namespace
 
 std::optional<int> supervise(const std::function<void(int signal)>& after_crash) {
-    // Whoever started us may ignore the ends of its children, and execve(2) hands that on: then waitpid(2)
-    // forgets how a child ended, and a crash or the wish for a restart would look like an end in order.
+    // The parent process may ignore SIGCHLD, and execve(2) inherits that; waitpid(2) would then lose the
+    // child's status, and a crash or a requested restart would look like a normal end.
     ::signal(SIGCHLD, SIG_DFL);
     const sigset_t watched = signals_to_hand_on();
     sigset_t before;
@@ -49,7 +50,7 @@ std::optional<int> supervise(const std::function<void(int signal)>& after_crash)
     if (child <= 0) {
         if (child == 0) {
             ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-            // It may have died before that was said.
+            // The supervisor may have died before prctl().
             if (::getppid() != supervisor) ::raise(SIGTERM);
         }
         ::sigprocmask(SIG_SETMASK, &before, nullptr);

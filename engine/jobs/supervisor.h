@@ -1,7 +1,6 @@
-// A process that watches over another: it starts the program's work in a child and does nothing but wait.
-// When the child dies on the spot - a crash, the kernel's out-of-memory killer - nobody is left in it to take
-// a force away; the supervisor is, and does what it was given to do. It touches no device, draws nothing and
-// holds no lock, so that what kills the child leaves it alone.
+// A supervisor process: it starts the program in a child process and only waits. When the child crashes or
+// the kernel's out-of-memory killer ends it, the child can no longer remove a force; the supervisor then
+// calls after_crash. It uses no device, draws nothing and holds no lock, so it survives what kills the child.
 #pragma once
 
 #include <functional>
@@ -9,15 +8,15 @@
 
 namespace onggi::jobs {
 
-// Main thread, before any other thread is started and anything is printed: forks. The child gets nothing and
-// goes on as the program. The supervisor stays in here until the child has ended, and gets the exit code to
-// end with: the child's own, or 1 after a crash, once after_crash(signal) has returned. An end with exit code
-// 1 counts as a crash without a signal (0): a library that loses its display ends the program on the spot in
-// this way.
+// Forks. Main thread, before any other thread starts and before anything is printed. In the child it returns
+// empty at once, and the child continues as the program. In the supervisor it returns after the child has
+// ended, with the exit code to use: the child's own, or 1 after a crash, once after_crash(signal) has
+// returned. Exit code 1 counts as a crash without a signal (0), because a library that loses its display
+// exits like this.
 //
-// SIGINT, SIGTERM, SIGHUP and SIGABRT, a service manager's watchdog, sent to the supervisor are handed on; a
-// terminal's Ctrl-C reaches the child by itself. SIGCHLD is as usual afterwards, in both. A child whose
-// supervisor is killed gets SIGTERM. Where no process can be made the program runs unsupervised.
+// The supervisor forwards SIGINT, SIGTERM, SIGHUP and SIGABRT (a service manager's watchdog) to the child; a
+// terminal's Ctrl-C reaches the child by itself. SIGCHLD has its default action afterwards, in both. The
+// child gets SIGTERM if its supervisor is killed. If fork() fails the program runs unsupervised.
 [[nodiscard]] std::optional<int> supervise(const std::function<void(int signal)>& after_crash);
 
 }  // namespace onggi::jobs

@@ -147,10 +147,10 @@ Granted ask_for_fifo(int priority) {
 
 namespace {
 
-extern "C" const char __executable_start;  // by the linker: where the program's own code begins
-extern "C" const char etext;               // and ends
+extern "C" const char __executable_start;  // set by the linker: start of the program's own code
+extern "C" const char etext;               // and its end
 
-// Reads in the program's own code, so that no tick is the first to run a page of it.
+// Reads every page of the program's own code, so that no tick causes a page fault.
 void touch_code() {
     constexpr std::ptrdiff_t kPage = 4096;
     const volatile char* const end = &etext;
@@ -158,10 +158,9 @@ void touch_code() {
         static_cast<void>(*at);
 }
 
-// What is in memory stays there, and what is touched from now on stays too. Not all that is mapped is read
-// in: that would be the software driver's whole compiler and megabytes of stacks that nobody uses, 250 MB of
-// them. What is mapped later is locked only where there is no limit: under one, a later allocation of the
-// renderer would fail instead.
+// Locks pages that are in memory or are touched from now on (MCL_ONFAULT). It does not read in all mapped
+// pages, which would include the software driver's whole compiler and unused stacks, 250 MB. Later mappings
+// are locked only if there is no limit: with a limit, a later allocation of the renderer would fail.
 Granted lock_memory() {
     rlimit limit{};
     const bool unlimited =
@@ -172,7 +171,7 @@ Granted lock_memory() {
     return outcome(0);
 }
 
-// Touches the stack the tick will use, so that no tick is the first to do so.
+// Touches the stack that the tick will use, so that no tick causes a page fault.
 [[gnu::noinline]] void touch_stack() {
     constexpr std::size_t kBytes = std::size_t{128} * 1024;
     constexpr std::size_t kPage = 4096;
@@ -220,8 +219,8 @@ Granted keep_all_threads_off_haptic_core(const CoreChoice& choice) {
     return tasks.is_whole() ? kept : outcome(tasks.error.value());
 }
 
-// Documentation/power/pm_qos_interface.rst of the kernel: the request is the file held open, a 32-bit number
-// of us written to it.
+// Kernel documentation, power/pm_qos_interface.rst: the request is a 32-bit number of us written to the file,
+// and holds while the file is open.
 Granted WakefulCores::request() noexcept {
     release();
     const int file = open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
@@ -242,14 +241,14 @@ void WakefulCores::release() noexcept {
 
 void keep_heaps_small() {
 #ifdef __GLIBC__
-    constexpr int kLargeBytes = 64 * 1024;  // else it grows with what is freed, up to 32 MB
+    constexpr int kLargeBytes = 64 * 1024;  // otherwise the threshold grows with freed blocks, up to 32 MB
     mallopt(M_ARENA_MAX, 2);
     mallopt(M_MMAP_THRESHOLD, kLargeBytes);
 #endif
 }
 
-// What is locked cannot be given back: the kernel refuses it, and the C library does not look. So the heap is
-// unlocked meanwhile, and locked again as large as it is then.
+// The kernel refuses to release locked pages, and malloc_trim() ignores that. So the heap is unlocked for the
+// call, and locked again at its new size.
 void give_back_freed_memory() {
 #ifdef __GLIBC__
     if (!memory_is_locked.load(std::memory_order_relaxed)) {

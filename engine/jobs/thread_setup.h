@@ -1,7 +1,7 @@
-// Which core the haptic thread gets, what the kernel grants it, and what each refusal costs.
-// The order matters: choose the core, keep the main thread off it *before* Vulkan is created (software Vulkan
-// starts workers that inherit the mask), all threads once it is, and only then start the haptic thread, which
-// sets itself up.
+// Chooses the haptic thread's core, asks the kernel for real-time settings and explains each refusal. The
+// order matters: choose the core; keep the main thread off it *before* Vulkan is created (software Vulkan
+// starts workers that inherit the mask); keep all threads off it afterwards; then start the haptic thread,
+// which sets itself up.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace onggi::jobs {
 
-// The core of the haptic thread and the cores of everybody else. core is -1 when nothing could be learned.
+// The core of the haptic thread and the cores of all other threads. core is -1 if the mask cannot be read.
 struct CoreChoice {
     int core = -1;
-    std::vector<int> others;  // empty: there is one core only, and it is shared
+    std::vector<int> others;  // empty: there is only one core, which all threads share
 
     [[nodiscard]] bool shared() const { return others.empty(); }
 };
@@ -26,25 +26,25 @@ struct CoreChoice {
 
 enum class Grant : std::uint8_t { kNotAsked, kGranted, kRefused };
 
-// One thing asked of the kernel.
+// The result of one request to the kernel.
 struct Granted {
     Grant grant = Grant::kNotAsked;
     int error = 0;  // errno of a refusal
 };
 
-// Main thread, before Vulkan is created and before any other thread starts: restricts it, and all that it
-// will start, to the other cores. Where one other core is left, software Vulkan is also told to draw in its
-// callers' threads, unless the user has set that variable. Does nothing on a shared core.
+// Main thread, before Vulkan is created and before any other thread starts: restricts this thread, and all
+// that it will start, to the other cores. If only one other core is left, software Vulkan is also set to draw
+// in its caller's thread (LP_NUM_THREADS), unless the user has set that variable. Does nothing on a shared
+// core.
 Granted keep_this_thread_off_haptic_core(const CoreChoice& choice);
 
-// The same for every thread there is, by whomever it was started: the one that keeps a driver's compiled
-// shaders on the disk takes all cores for itself. Before the haptic thread starts; what such a driver starts
-// later it makes the least urgent of all, and the haptic thread goes before it. A thread that ends meanwhile
-// is no refusal.
+// The same for every thread of the process: a driver's thread that caches compiled shaders on disk allows
+// itself all cores. Before the haptic thread starts; threads that the driver starts later have the lowest
+// priority and cannot delay the haptic thread. A thread that ends meanwhile is not a refusal.
 Granted keep_all_threads_off_haptic_core(const CoreChoice& choice);
 
-// Asks the kernel not to let idle cores fall into a sleep from which they wake slowly, as cyclictest does.
-// Holds for the whole machine, as long as it lives. On a virtual machine no difference was measured: the host
+// Keeps idle cores out of deep sleep states, from which they wake slowly, as cyclictest does. Affects the
+// whole machine while the object lives. On a virtual machine it made no measurable difference: the host
 // decides.
 class WakefulCores {
   public:
@@ -53,7 +53,7 @@ class WakefulCores {
     WakefulCores& operator=(const WakefulCores&) = delete;
     ~WakefulCores() { release(); }
 
-    // Refused to most users, unless the system's rules open /dev/cpu_dma_latency to them. Any thread.
+    // Refused unless a udev rule lets the user write /dev/cpu_dma_latency. Any thread.
     Granted request() noexcept;
     void release() noexcept;
 
@@ -61,7 +61,7 @@ class WakefulCores {
     int file_ = -1;
 };
 
-// What a thread that keeps deadlines asks for.
+// The settings to request for a thread with deadlines.
 struct RealTimeRequest {
     CoreChoice core;
     int fifo_priority = 80;  // 1 to 99; above the kernel's threaded interrupts at 50
@@ -69,7 +69,7 @@ struct RealTimeRequest {
     bool wakeful_cores = true;
 };
 
-// What is missing, in words for a person: one line each, without a full stop.
+// A missing setting, its cost and its remedy for users: one line each, without a full stop.
 struct RealTimeLack {
     std::string what;
     std::string cost;
@@ -83,26 +83,26 @@ struct RealTimeReport {
     Granted memory_lock;
     Granted wakeful_cores;
 
-    // The names the stats file uses.
+    // The name in the stats file.
     [[nodiscard]] const char* scheduler() const { return fifo.grant == Grant::kGranted ? "fifo" : "other"; }
-    // Nothing was refused that deadlines rest on. (A shared core and drowsy ones are lacks, but no reason not
-    // to run: the first nobody can grant, the second costs some us.)
+    // Whether no essential request was refused. (A shared core and sleepy cores are lacks, but no reason not
+    // to run: the kernel cannot grant the first, and the second costs some us.)
     [[nodiscard]] bool nothing_refused() const {
         return pinning.grant != Grant::kRefused && fifo.grant != Grant::kRefused &&
                memory_lock.grant != Grant::kRefused;
     }
-    // Refusals first, then what the machine itself lacks.
+    // Refusals first, then lacks of the machine.
     [[nodiscard]] std::vector<RealTimeLack> lacks() const;
 };
 
-// Keeps what the process takes near what it uses: threads share two heaps instead of having one each, and
-// large blocks lie apart, so that each goes back to the system as it is freed. The tick allocates nothing and
-// does not notice. Before any other thread starts.
+// Keeps the process's memory close to what it uses: all threads share two heaps instead of one each, and
+// large blocks are mapped separately, so that freeing returns them to the system. The tick does not allocate,
+// so it is not affected. Before any other thread starts.
 void keep_heaps_small();
 
-// Hands memory that was freed back to the system. To be called after what takes much for a while, such as a
-// driver that compiles. Other threads' allocations wait for some ms, and the heap is not locked meanwhile.
-// Any thread but a tick's.
+// Returns freed memory to the system. Call it after work that used much memory, such as a driver's
+// compilation. Other threads' allocations wait for some ms, and the heap is not locked meanwhile. Any thread
+// but a tick's.
 void give_back_freed_memory();
 
 // Hands back the code of all libraries but those that a tick runs: a software driver's compiler above all, up
@@ -111,16 +111,17 @@ void give_back_freed_memory();
 // when a driver has compiled and when something else begins. Takes about a ms. Any thread but a tick's.
 void give_back_code();
 
-// The calling thread: pins itself to the core, locks the process's memory, touches its stack, and asks for
-// SCHED_FIFO last, so that nothing slow happens under it. Goes on after a refusal and records it. Wakeful
-// cores are not the thread's but its owner's to hold.
+// Sets up the calling thread: pins it to the core, locks the process's memory, touches its stack, and
+// requests SCHED_FIFO last, so that nothing slow runs with that priority. Records a refusal and continues.
+// The owner, not the thread, holds WakefulCores.
 [[nodiscard]] RealTimeReport set_up_this_thread(const RealTimeRequest& request);
 
-// The calling thread, alone: SCHED_FIFO at that priority. For the few others whose lateness matters.
+// Requests SCHED_FIFO at that priority for the calling thread alone, for the few other threads with
+// deadlines.
 Granted ask_for_fifo(int priority);
 
-// Finds out what would be granted, on a thread of its own that ends at once; the process is left as it was,
-// but for memory locked before, which is unlocked. Any thread that is not real-time; takes a few ms.
+// Finds out what would be granted, on a temporary thread. Leaves the process unchanged, except that memory
+// locked before is unlocked. Any thread that is not real-time; takes a few ms.
 [[nodiscard]] RealTimeReport probe_real_time(const RealTimeRequest& request);
 
 // Tells the kernel the name of the calling thread, at most 15 letters, as `top -H` shows it.

@@ -1,9 +1,9 @@
-// How a map of dents is laid out, for what makes it and what draws it. Constant; any thread.
+// The layout of a dent map, for its producer and the renderer. Constant; any thread.
 #pragma once
 
 namespace onggi {
 
-// Directions of a row, counter-clockwise in the turned body's own frame, the first sector from +X on.
+// Sectors per row, counter-clockwise in the rotating body's frame; the first starts at +X.
 constexpr int kDentSectors = 64;
 
 }  // namespace onggi

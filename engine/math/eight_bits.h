@@ -1,4 +1,4 @@
-// A fraction as the eight bits that pictures and textures keep of it. Any thread.
+// Converts a fraction to an 8-bit value for pictures and textures. Any thread.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace onggi {
 
-// 0 to 1 as 0 to 255, to the nearest; what lies beyond is the nearer end.
+// Maps 0 to 1 to 0 to 255, rounded; values outside are clamped.
 [[nodiscard]] inline std::uint8_t eight_bits(float fraction) {
     return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F)));
 }

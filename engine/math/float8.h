@@ -1,6 +1,6 @@
-// Eight numbers side by side, for the loops that draw on a processor: the one type of vectors there is.
-// Inline, so that it becomes a part of whatever instructions its user is compiled for. Where a function is
-// here for Float8 it is here for float too, so that one text of a formula means either. Pure; any thread.
+// A vector of eight floats for the CPU renderer's loops. Inline, so that it uses the instruction set of its
+// caller. Every function for Float8 also exists for float, so that one formula compiles for both. Pure; any
+// thread.
 #pragma once
 
 #include <bit>
@@ -16,10 +16,10 @@ namespace onggi {
 
 constexpr int kFloat8 = 8;
 using Float8 [[gnu::vector_size(32)]] = float;
-using Int8 [[gnu::vector_size(32)]] = int;  // of a comparison: all bits or none
+using Int8 [[gnu::vector_size(32)]] = int;  // of a comparison: all bits set, or zero
 constexpr Int8 kFirst8{0, 1, 2, 3, 4, 5, 6, 7};
 
-// Three of them: a place, a direction.
+// Eight points or directions.
 struct Float8x3 {
     Float8 x;
     Float8 y;
@@ -40,7 +40,7 @@ namespace onggi::float8 {
     return a;
 }
 
-// The first where it is so, else the second.
+// Returns a where is_so, otherwise b.
 [[gnu::always_inline]] inline float select(bool is_so, float a, float b) {
     return is_so ? a : b;
 }
@@ -75,7 +75,7 @@ template <typename A, typename B>
 [[gnu::always_inline]] inline auto inversesqrt(const auto& a) {
     return 1.0F / sqrt(a);
 }
-// From 0 to 1 without a corner at either.
+// Smoothstep from 0 to 1.
 [[gnu::always_inline]] inline auto eased(const auto& fraction) {
     return fraction * fraction * (3.0F - 2.0F * fraction);
 }
@@ -89,7 +89,7 @@ template <typename A, typename B>
 [[gnu::always_inline]] inline Int8 ints(const Float8& a) {
     return __builtin_convertvector(a, Int8);
 }
-// Of numbers that are not below 0.
+// Precondition: not below 0.
 [[gnu::always_inline]] inline auto fract(const Float8& a) {
     return a - floats(ints(a));
 }
@@ -108,8 +108,8 @@ template <typename A, typename B>
 [[gnu::always_inline]] inline float two_to(int a) {
     return std::bit_cast<float>((a + 127) << 23);
 }
-// e to a number that is not above 0: powers of two are put together from their bits, and what is left is a
-// series of seven terms, wrong by less than 2e-5.
+// exp() of a number not above 0: the power of two is built from its bits, the rest is a series of seven
+// terms; error below 2e-5.
 [[gnu::always_inline]] inline auto exp_below_0(const auto& number) {
     const auto clamped = max(number, -87.0F);
     const auto twos = ints(clamped * std::numbers::log2e_v<float>);

@@ -1,5 +1,5 @@
-// Functions that are there twice: for any processor, and in wider vectors for those that have them. Without
-// fused multiply-add, so that both find the same bits. Any thread.
+// For functions compiled twice: for any processor, and with wider vectors where available. Without fused
+// multiply-add, so that both compute the same bits. Any thread.
 #pragma once
 
 #if defined(__x86_64__)
@@ -10,7 +10,7 @@
 
 namespace onggi {
 
-// Whether this processor can run what is marked ONGGI_WIDE_VECTORS.
+// Whether this processor can run functions marked ONGGI_WIDE_VECTORS.
 inline bool has_wide_vectors() {
 #if defined(__x86_64__)
     return __builtin_cpu_supports("avx2") != 0;

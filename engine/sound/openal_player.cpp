@@ -15,7 +15,7 @@
 
 #include "engine/core/list_folder.h"
 
-// From <AL/alext.h>, which not every release has in the same place.
+// From <AL/alext.h>, whose location differs between releases.
 #ifndef ALC_CONNECTED
 #define ALC_CONNECTED 0x313
 #endif
@@ -68,8 +68,7 @@ class OpenAlPlayer final : public SoundPlayer {
         for (; played > 0; --played) {
             ALuint buffer = 0;
             alSourceUnqueueBuffers(source_, 1, &buffer);
-            if (alGetError() != AL_NO_ERROR)
-                return failed("the sound device does not give back what it played");
+            if (alGetError() != AL_NO_ERROR) return failed("the sound device does not return played buffers");
             free_.push_back(buffer);
         }
         return free_.size();
@@ -89,7 +88,7 @@ class OpenAlPlayer final : public SoundPlayer {
         alSourceQueueBuffers(source_, 1, &buffer);
         ALint state = AL_PLAYING;
         alGetSourcei(source_, AL_SOURCE_STATE, &state);
-        // At the start, and after this thread came too late and the queue ran empty.
+        // At the start, and after a late thread let the queue run empty.
         if (state != AL_PLAYING && free_.empty()) alSourcePlay(source_);
         if (const ALenum error = alGetError(); error != AL_NO_ERROR)
             return failed(fmt::format("the sound device refuses a block: OpenAL error {:#x}", error));
@@ -116,7 +115,7 @@ class OpenAlPlace final : public SoundPlace {
         const std::array<ALCint, 3> request{ALC_FREQUENCY, static_cast<ALCint>(kSampleRateHz), 0};
         Context context(alcCreateContext(device.get(), request.data()));
         if (context == nullptr || alcMakeContextCurrent(context.get()) != ALC_TRUE)
-            return system_lacks("expected a place to play in on the default device, found none");
+            return system_lacks("expected a context on the default device, found none");
         return std::unique_ptr<SoundPlayer>(
             std::make_unique<OpenAlPlayer>(std::move(device), std::move(context)));
     }

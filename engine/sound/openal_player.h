@@ -10,9 +10,9 @@ namespace onggi::sound {
 
 [[nodiscard]] std::unique_ptr<SoundPlace> make_openal_place();
 
-// Whether there can be a sound device at all - a card, a sound server, or a driver chosen by ALSOFT_DRIVERS -
-// without opening one: empty, or why not. Without this look the system's sound library complains on the
-// terminal, line after line, of what a machine without loudspeakers has not.
+// Checks for a sound card, a sound server or a driver chosen by ALSOFT_DRIVERS, without opening a device.
+// Returns empty, or the reason. Without this check the system's sound library prints many errors on a machine
+// without loudspeakers.
 [[nodiscard]] std::string why_no_sound();
 
 }  // namespace onggi::sound

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int64_t kMs = 1'000'000;              // ns
 constexpr std::int64_t kRestNs = 5 * kMs;            // half a block
-constexpr std::int64_t kLookAgainNs = 30'000 * kMs;  // a loudspeaker that is plugged in late is worth a look
+constexpr std::int64_t kLookAgainNs = 30'000 * kMs;  // finds a loudspeaker that is plugged in late
 constexpr int kFadeRounds = 30;
 constexpr int kFadePauseMs = 5;
 

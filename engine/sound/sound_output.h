@@ -1,6 +1,5 @@
-// What the wheel sounds like, out loud: the synthesiser on an I/O thread of its own, fed by the newest scene.
-// A machine that cannot make a sound is silent; that is said, and looked after again from time to time, and
-// never stops anything.
+// Plays the wheel's sound: runs the synthesiser on an I/O thread with the newest scene. Without a sound
+// device it is silent, reports the reason in the status and searches again from time to time.
 //
 //     SoundOutput sound(make_openal_place());
 //     sound.open();                       // main thread
@@ -23,13 +22,13 @@
 namespace onggi::sound {
 
 struct SoundStatus {
-    bool is_heard = false;     // a device plays
+    bool is_heard = false;     // a device is playing
     std::string device = {};   // its name
-    std::string message = {};  // why there is none, one line
+    std::string message = {};  // why there is no device, one line
     std::uint64_t blocks = 0;  // played so far
 };
 
-// The I/O thread's work, without the thread: tests call round() with a time of their own.
+// The I/O thread's work, without the thread: tests call round() with a virtual time.
 class SoundWork final : public jobs::IoWork {
   public:
     explicit SoundWork(std::unique_ptr<SoundPlace> place) : place_(std::move(place)) {}
@@ -39,7 +38,7 @@ class SoundWork final : public jobs::IoWork {
     void finish() noexcept override;
 
     jobs::Mailbox<SoundScene> scene;  // main thread to I/O thread
-    // Likewise: what is to be spoken now, from its beginning; null ends it.
+    // Likewise: the line to speak now, from its beginning; null stops it.
     jobs::Mailbox<std::shared_ptr<const SpokenLine>> line;
     jobs::Mailbox<SoundStatus> status;  // I/O thread to main thread
 
@@ -67,11 +66,11 @@ class SoundOutput {
     SoundOutput(const SoundOutput&) = delete;
     SoundOutput& operator=(const SoundOutput&) = delete;
 
-    // Error: no thread.
+    // Error: the thread cannot start.
     Result<void> open();
     void close() noexcept { thread_.stop(); }
     void play(const SoundScene& scene) noexcept { work_.scene.put(scene); }
-    // Speaks it over everything else, once; null: stops speaking.
+    // Speaks the line once over everything else; null: stops speaking.
     void say(const std::shared_ptr<const SpokenLine>& line) noexcept { work_.line.put(line); }
     [[nodiscard]] const SoundStatus& status() noexcept { return work_.status.latest(); }
 

@@ -1,4 +1,4 @@
-// Something that plays samples: a sound device, or a test's. Called from one I/O thread; may allocate.
+// The interface of a sound device or a test's player. Called from one I/O thread; may allocate.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace onggi::sound {
 
-// Half of what is played ahead is heard later than it was meant: four blocks of some 10 ms are as little as
-// an ordinary thread can keep filled.
+// Blocks queued ahead delay the sound: four blocks of some 10 ms are the least that a thread with normal
+// priority can keep filled.
 constexpr std::size_t kBlockFrames = 512;
 constexpr std::size_t kBlocksAhead = 4;
 
@@ -21,15 +21,14 @@ class SoundPlayer {
     virtual ~SoundPlayer() = default;  // silent at once
 
     [[nodiscard]] virtual std::string name() const = 0;
-    // How many blocks it would take now, 0 to kBlocksAhead. Error: the device is gone.
+    // Returns the number of blocks that it accepts now, 0 to kBlocksAhead. Error: the device is gone.
     virtual Result<std::size_t> blocks_wanted() = 0;
-    // Plays one block after those it has. Error: the device is gone.
+    // Queues one block. Error: the device is gone.
     virtual Result<void> play(std::span<const Sample, kBlockFrames> block) = 0;
     virtual void pause_ms(int milliseconds) = 0;
 };
 
-// Finds and opens one; never blocks for more than some tens of ms. Error: one line that says why there is
-// none.
+// Finds and opens a player; blocks for some tens of ms at most. Error: one line that says why there is none.
 class SoundPlace {
   public:
     virtual ~SoundPlace() = default;

@@ -15,12 +15,12 @@ namespace onggi::sound {
 namespace {
 
 constexpr double kLongestS = 120.0;
-constexpr double kDucked = 0.35;  // of the wheel's sound, under speech
+constexpr double kDucked = 0.35;  // gain of the wheel's sound during speech
 
 constexpr int kLeastRateHz = 8000;
 constexpr int kMostRateHz = 96000;
 
-// A file in memory, as libsndfile asks for one.
+// A file in memory, for libsndfile's virtual I/O.
 struct MemoryFile {
     std::string_view bytes;
     sf_count_t at = 0;
@@ -64,7 +64,7 @@ std::string name_of_coding(int format) {
     return info.name != nullptr ? info.name : "another coding";
 }
 
-// The file's frames in their order, mixed to one channel. A few thousand at a time: two minutes are many.
+// Reads the file's frames in order, mixed to one channel, a few thousand at a time to save memory.
 class Frames {
   public:
     Frames(SNDFILE* file, int channels)
@@ -72,7 +72,8 @@ class Frames {
           channels_(static_cast<std::size_t>(channels)),
           block_(kBlockFrames * channels_) {}
 
-    // Of frames in rising order, or one before the last asked for. Beyond the end the last there was.
+    // The frame's value. Frames must be read in ascending order; going back by one is allowed. Beyond the end
+    // returns the last value.
     float at(sf_count_t frame) {
         while (frame >= first_ + count_ && fill()) {
         }
@@ -92,7 +93,8 @@ class Frames {
         const auto from = block_.begin() + frame * static_cast<sf_count_t>(channels_);
         const float sum = std::accumulate(from, from + static_cast<sf_count_t>(channels_), 0.0F);
         const float mean = sum / static_cast<float>(channels_);
-        return std::isfinite(mean) ? std::clamp(mean, -1.0F, 1.0F) : 0.0F;  // a file of floats may hold any
+        return std::isfinite(mean) ? std::clamp(mean, -1.0F, 1.0F)
+                                   : 0.0F;  // a file of floats may contain NaN or infinity
     }
 
     SNDFILE* file_;
@@ -109,7 +111,7 @@ Result<SpokenLine> read_wave(std::string_view bytes, const std::string& file) {
     const auto refuse = [&](std::string_view expected, std::string_view found) {
         return bad_input(fmt::format("{}: expected {}, found {}", file, expected, found));
     };
-    // The library knows many more kinds, none of which is wanted.
+    // libsndfile reads many more formats, which are not wanted.
     if (bytes.size() < 12 || bytes.substr(0, 4) != "RIFF" || bytes.substr(8, 4) != "WAVE")
         return refuse("a RIFF wave file", "something else");
     MemoryFile memory{.bytes = bytes};

@@ -1,5 +1,4 @@
-// A recording of somebody speaking a line, and how it is mixed under the wheel's sound. Plain; any one
-// thread.
+// A recorded line of speech, and its mixing with the wheel's sound. One thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +13,22 @@
 
 namespace onggi::sound {
 
-// At kSampleRateHz, one channel, -1 to 1.
+// Samples at kSampleRateHz, one channel, -1 to 1.
 struct SpokenLine {
     std::vector<float> samples;
 };
 
 // Reads a RIFF wave file: PCM of 16, 24 or 32 bits or of floats, 1 or 2 channels (mixed to one), 8000 to
-// 96000 Hz (brought to ours by straight lines between samples), at most two minutes. `file` is what messages
-// call it. Bad input: anything else, in one line that says what was expected and what was found. Reads and
-// allocates: an I/O thread.
+// 96000 Hz (resampled by linear interpolation), at most two minutes. Error messages call it `file`. Error:
+// bad input for anything else. Reads and allocates: an I/O thread.
 Result<SpokenLine> read_wave(std::string_view bytes, const std::string& file);
 
-// Speaks one line at a time over whatever else sounds, which is softer meanwhile.
+// Mixes one line at a time over the other sounds, which are lowered meanwhile.
 class Speaker {
   public:
-    // From its beginning; what was spoken before fades away within a few ms. Null: silence.
+    // Starts a line from its beginning; the previous one fades out within a few ms. Null: silence.
     void say(std::shared_ptr<const SpokenLine> line);
-    // Lays the next samples over a block. volume: 0 to 1. Never beyond +-1.
+    // Mixes the next samples into a block. volume: 0 to 1. The result stays within +-1.
     void mix(std::span<Sample> block, double volume) noexcept;
     [[nodiscard]] bool speaks() const { return line_ != nullptr; }
 

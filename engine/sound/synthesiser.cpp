@@ -5,20 +5,20 @@
 namespace onggi::sound {
 namespace {
 
-// Beyond these the ear hears no difference, and nothing may make the hall loud.
+// Larger values make no audible difference, and the sound must stay moderate in the hall.
 constexpr double kFastestRevMin = 300.0;
 constexpr double kHardestPressN = 6.0;
 constexpr double kFastestSlipMmS = 2000.0;
 constexpr double kSlapEndsS = 0.6;
 constexpr double kPluckEndsS = 0.35;
-constexpr double kChimeToneS = 0.4;  // of three
+constexpr double kChimeToneS = 0.4;  // one of three tones
 constexpr double kChimeEndsS = 3.0 * kChimeToneS;
 
 double bounded(double value, double least, double most) {
     return std::isfinite(value) ? std::clamp(value, least, most) : 0.0;
 }
 
-// Straight for what is soft, never beyond 1 for what is loud; its slope never jumps.
+// A soft limiter: linear for small samples, below 1 for large ones, with a continuous slope.
 double limited(double sample) {
     const double size = sample < 0.0 ? -sample : sample;
     return sample / (1.0 + size);
@@ -30,7 +30,8 @@ Synthesiser::Wanted Synthesiser::wanted_of(const SoundScene& scene) noexcept {
     const double press_n = bounded(scene.contact_n, 0.0, kHardestPressN);
     return {.rev_min = bounded(scene.wheel_rev_min, 0.0, kFastestRevMin),
             .motor_load = bounded(scene.motor_load, 0.0, 1.0),
-            // Half as loud again for each doubling or so: a light touch is heard, a hard one does not shout.
+            // Compressed: about half as loud again for each doubling, so that a light touch is audible and a
+            // hard one not too loud.
             .press = press_n / (press_n + 1.5),
             .slip = bounded(std::abs(scene.slip_mm_s), 0.0, kFastestSlipMmS),
             .wetness = bounded(scene.wetness, 0.0, 1.0),
@@ -46,7 +47,7 @@ double Synthesiser::motor() noexcept {
     const double rev_min = rev_min_.value();
     const double hum_hz = 28.0 + 0.42 * rev_min;
     const double load = motor_load_.value();
-    // From rest on, not from nowhere: the motor is heard from a tenth of a turn a second.
+    // The level rises smoothly from rest: the motor is audible from a tenth of a turn per second.
     const double level = rev_min / (rev_min + 40.0);
     const double once_a_turn = sine_of_turns(turn_.step(rev_min / 60.0));
     const double hum = sine_of_turns(hum_.step(hum_hz));
@@ -57,8 +58,8 @@ double Synthesiser::motor() noexcept {
     return level * (1.0 + 0.12 * once_a_turn) * (0.1 * tone + 0.05 * bearing);
 }
 
-// What passes under the hand or the tool. What is wet is dark and comes and goes slowly, as water does; what
-// is dry is bright and even; an edge scrapes above both. More force is louder and, a little, higher.
+// The clay under the hand or the tool. Wet clay sounds dull and slowly modulated, like water; dry clay bright
+// and even; a hard edge adds a scrape. More force is louder and slightly higher.
 double Synthesiser::rub(double noise) noexcept {
     const double press = press_.value();
     const double slip = slip_.value();
@@ -78,14 +79,14 @@ double Synthesiser::rub(double noise) noexcept {
     return level * ((1.0 - 0.6 * hard) * 1.2 * skin + hard * (0.36 - 0.16 * wet) * edge);
 }
 
-// A lump on the wheel head: a thump that falls, and what spreads.
+// A lump on the wheel head: a thump of falling pitch, and a noise burst.
 double Synthesiser::slap(double noise) noexcept {
     const double age = std::min(slap_age_s_, kSlapEndsS);
     slap_age_s_ = age + 1.0 / kSampleRateHz;
     const double rise = std::min(age / 0.004, 1.0);
     const double left = 1.0 - age / kSlapEndsS;
     const double fall = left * left * left * left * left * left;  // flat where it ends
-    // One that follows upon another begins where that one was.
+    // A slap during another one starts from its current loudness.
     const double loudness = slap_loudness_.towards(rise * rise * fall);
     if (loudness == 0.0) return 0.0;
     const double thump = sine_of_turns(thump_.step(58.0 + 60.0 * fall));
@@ -93,7 +94,7 @@ double Synthesiser::slap(double noise) noexcept {
     return loudness * (0.55 * thump + 0.35 * fall * splat);
 }
 
-// A taut string: bright where it begins, lower as it gives way.
+// A taut string: bright at first, then lower as it gives way.
 double Synthesiser::pluck() noexcept {
     const double age = std::min(pluck_age_s_, kPluckEndsS);
     pluck_age_s_ = age + 1.0 / kSampleRateHz;
@@ -106,7 +107,7 @@ double Synthesiser::pluck() noexcept {
                        0.08 * fall * sine_of_turns(overtone_.step(2.76 * pitch_hz)));
 }
 
-// Fire behind a door: all that is low of it, never even.
+// Fire behind a door: low-pass noise with irregular modulation.
 double Synthesiser::fire(double noise) noexcept {
     const double level = fire_.value();
     if (level == 0.0) return 0.0;
@@ -114,13 +115,13 @@ double Synthesiser::fire(double noise) noexcept {
     return level * (1.0 + 0.45 * slow) * roar_.step(noise, 140.0 + 50.0 * slow, 0.9).low;
 }
 
-// Left, right, then both, each a tone of its own: who tests hears which loudspeaker is dead or crossed over.
+// Left, right, then both, each with its own tone, to reveal a dead or swapped loudspeaker.
 Sample Synthesiser::chime() noexcept {
     if (chime_age_s_ >= kChimeEndsS) return {};
     const int tone = chime_age_s_ < kChimeToneS ? 0 : chime_age_s_ < 2.0 * kChimeToneS ? 1 : 2;
     const double fraction = chime_age_s_ / kChimeToneS - tone;
     chime_age_s_ += 1.0 / kSampleRateHz;
-    const double hill = 4.0 * fraction * (1.0 - fraction);  // silent, and level, at both ends
+    const double hill = 4.0 * fraction * (1.0 - fraction);  // zero value and slope at both ends
     const auto heard =
         static_cast<float>(0.25 * hill * hill * sine_of_turns(chime_.step(440.0 + 220.0 * tone)));
     return {.left = tone == 1 ? 0.0F : heard, .right = tone == 0 ? 0.0F : heard};

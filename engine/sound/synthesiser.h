@@ -1,6 +1,6 @@
-// The sound of a potter's wheel out of nothing: motor, something wet under a hand, the scrape of a tool, a
-// lump slapped down, a fire. Pure: the same scenes in the same order give the same samples, however they are
-// cut into blocks. One thread at a time; no allocation, no lock, no libm.
+// Synthesises the sound of a potter's wheel: motor, wet clay under a hand, the scrape of a tool, a slapped
+// lump, a fire. Pure: the same scenes in the same order give the same samples, whatever the block size. One
+// thread at a time; no allocation, no lock, no libm.
 #pragma once
 
 #include <algorithm>
@@ -10,29 +10,29 @@
 
 namespace onggi::sound {
 
-// What there is to hear at the wheel, in physical terms: what the main thread says once a frame, and what
-// the synthesiser makes sound of. Plain values; any thread.
+// The scene to synthesise, in physical terms; the main thread sets it once a frame. Plain values; any thread.
 struct SoundScene {
-    double wheel_rev_min = 0.0;  // as it turns, not as it was asked to: a wheel under load sounds lower
+    double wheel_rev_min = 0.0;  // actual speed, not the requested one: a wheel under load sounds lower
     double motor_load = 0.0;     // 0 idle to 1 nearly stalled
-    double contact_n = 0.0;      // how hard the tool presses
-    double slip_mm_s = 0.0;      // how fast what turns passes under it
+    double contact_n = 0.0;      // normal force of the tool
+    double slip_mm_s = 0.0;      // speed of the surface under the tool
     double wetness = 0.0;        // 0 leather-dry to 1 dripping
-    bool is_hard_tool = false;   // a hard tool scrapes, a hand or a soft one strokes
-    double place = 0.0;          // where the tool is, -1 left to 1 right
-    std::uint32_t slaps = 0;     // counts lumps thrown on the wheel: each new one is heard once
-    bool is_plucked = false;     // a taut string gives way: heard once each time that this begins
-    std::uint32_t chimes = 0;    // counts tests of the loudspeakers: left, right, then both, once for each
-    bool fire_burns = false;     // a pot is fired: a low roar that comes and goes
+    bool is_hard_tool = false;   // true: scrapes; false: a hand or soft tool
+    double place = 0.0;          // stereo position of the tool, -1 left to 1 right
+    std::uint32_t slaps = 0;     // counts lumps thrown on the wheel; each increase sounds once
+    bool is_plucked = false;     // a taut string gives way; sounds once at each change to true
+    std::uint32_t chimes = 0;    // counts loudspeaker tests; each increase sounds left, right, then both
+    bool fire_burns = false;     // a pot is fired: a low, unsteady roar
     double volume = 0.5;         // 0 silent to 1
 };
 
-// What voices are made of: parameters that glide, noise, filters, a sine without libm. Pure; one thread at a
-// time; only + - x / and comparisons, so that every machine makes the same samples. One step is one sample.
+// The building blocks of voices: smoothed parameters, noise, filters, a sine without libm. Pure; one thread
+// at a time; only + - x / and comparisons, so that every machine computes the same samples. One step is one
+// sample.
 
 constexpr double kSampleRateHz = 48000.0;
 
-// Follows its target with a time constant: a parameter that jumps is heard as a click.
+// Follows its target with a time constant, because a jump would be audible as a click.
 class Glide {
   public:
     explicit Glide(double seconds, double start = 0.0)
@@ -41,7 +41,7 @@ class Glide {
 
     double towards(double target) noexcept {
         value_ += fraction_ * (target - value_);
-        // What is nearly nothing is nothing: arithmetic on denormal numbers is slow.
+        // Flush tiny values to zero: arithmetic on denormal numbers is slow.
         if (value_ < 1e-9 && value_ > -1e-9) value_ = 0.0;
         return value_;
     }
@@ -69,8 +69,8 @@ class Noise {
     std::uint32_t state_;
 };
 
-// The sine of a phase in turns, 0 to 1: two parabolas and their correction, within 0.001 of the true one. A
-// machine's own sine may differ in its last bit from another's.
+// The sine of a phase in turns, 0 to 1: two parabolas and a correction, with an error below 0.001. libm's
+// sine may differ between machines in the last bit.
 [[nodiscard]] inline double sine_of_turns(double turns) noexcept {
     const double x = turns < 0.5 ? 4.0 * turns - 1.0 : 4.0 * turns - 3.0;  // -1 to 1 over each half
     const double arch = 1.0 - x * x;
@@ -78,7 +78,7 @@ class Noise {
     return turns < 0.5 ? sine : -sine;
 }
 
-// A phase that turns at a frequency.
+// An oscillator's phase.
 class Phase {
   public:
     double step(double frequency_hz) noexcept {
@@ -92,7 +92,7 @@ class Phase {
 };
 
 // Low-pass, band-pass and high-pass at once (Chamberlin's state-variable filter). Stable below a sixth of the
-// sample rate; a higher frequency is held there.
+// sample rate; higher frequencies are clamped.
 class Filter {
   public:
     struct Out {
@@ -100,7 +100,7 @@ class Filter {
         double band = 0.0;
         double high = 0.0;
     };
-    // damping: 2 is no resonance at all, 0.2 a narrow band.
+    // damping: 2 is no resonance, 0.2 a narrow band.
     Out step(double input, double frequency_hz, double damping) noexcept {
         const double turn =
             std::numbers::pi * std::clamp(frequency_hz, 1.0, kSampleRateHz / 6.5) / kSampleRateHz;
@@ -126,13 +126,13 @@ struct Sample {
 
 class Synthesiser {
   public:
-    // The next block at 48 kHz. What the scene says is glided to, over some tens of ms: nothing clicks. Never
-    // beyond +-1; exactly silent some seconds after everything has come to rest. What is not finite in a
-    // scene counts as nothing.
+    // The next block at 48 kHz. Parameters move to the scene's values within some tens of ms, so nothing
+    // clicks. Samples stay within +-1, and become exactly 0 some seconds after everything is at rest. Values
+    // that are not finite count as 0.
     void render(const SoundScene& scene, std::span<Sample> block) noexcept;
 
   private:
-    // The scene as the voices use it: bounded, and free of what is no number.
+    // The scene's values, clamped and finite.
     struct Wanted {
         double rev_min, motor_load, press, slip, wetness, hardness, place, fire, volume;
     };
@@ -157,12 +157,12 @@ class Synthesiser {
     Noise noise_{0x6f6e6767U};
     Phase hum_, second_, fifth_, turn_;
     Filter rumble_;
-    Filter skin_;     // the hand on what turns
-    Filter squelch_;  // how it comes and goes
+    Filter skin_;     // the hand on the clay
+    Filter squelch_;  // its modulation
     Filter edge_;     // the scrape
-    Filter chatter_;  // how that comes and goes
+    Filter chatter_;  // its modulation
     Filter roar_;     // the fire
-    Filter flicker_;  // how it comes and goes
+    Filter flicker_;  // its modulation
     std::uint32_t slaps_ = 0;
     bool knows_slaps_ = false;
     double slap_age_s_ = 1e9;

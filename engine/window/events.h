@@ -1,5 +1,5 @@
-// What a person did to the window, as plain data. Any thread. Pixels count from the top left corner, y down,
-// in the units of the drawn picture (not the desktop's scaled ones).
+// Window events as plain data. Any thread. Pixels count from the top left corner, y down, in framebuffer
+// pixels (not the desktop's scaled units).
 #pragma once
 
 #include <variant>
@@ -63,7 +63,7 @@ struct ResizeEvent {
     int height = 0;
 };
 struct CloseEvent {};
-// Whether what the person does comes to this window. What is let go elsewhere is not told.
+// Whether the window has the input focus. A key or button released without focus sends no event.
 struct FocusEvent {
     bool focused = false;
 };

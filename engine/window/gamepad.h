@@ -7,7 +7,7 @@
 namespace onggi::window {
 
 struct Gamepad {
-    enum Button : std::uint32_t {  // bits of `buttons`, as on the most common pad
+    enum Button : std::uint32_t {  // bits of `buttons`, named as on an Xbox pad
         kA = 1U << 0U,
         kB = 1U << 1U,
         kX = 1U << 2U,
@@ -25,7 +25,7 @@ struct Gamepad {
         kLeft = 1U << 14U,
     };
 
-    int slot = 0;  // the same pad keeps it while it is plugged in
+    int slot = 0;  // constant while the pad is plugged in
     std::string name = {};
     std::uint16_t vendor_id = 0;  // of the USB device; 0 where it is unknown
     std::uint16_t product_id = 0;
@@ -33,7 +33,7 @@ struct Gamepad {
     float left_y = 0.0F;
     float right_x = 0.0F;
     float right_y = 0.0F;
-    float left_trigger = 0.0F;  // triggers: 0 let go, 1 pulled
+    float left_trigger = 0.0F;  // triggers: 0 released, 1 pulled
     float right_trigger = 0.0F;
     std::uint32_t buttons = 0;
 

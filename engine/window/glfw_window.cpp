@@ -13,16 +13,16 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-// GLFW's own, of <GLFW/glfw3native.h>, without Xlib's macros. Weak: its build for Wayland has none.
+// Declared in <GLFW/glfw3native.h>, which would include Xlib's macros. Weak: GLFW's Wayland build lacks it.
 extern "C" [[gnu::weak]] unsigned long glfwGetX11Window(GLFWwindow* window);
 
 namespace onggi::window {
 namespace {
 
-// GLFW is one library-wide state; this counts who needs it.
+// GLFW has global state; this class counts its users.
 class GlfwLibrary {
   public:
-    // The reason in words when it cannot start.
+    // Error: why GLFW cannot start.
     static Result<std::unique_ptr<GlfwLibrary>> start() {
         if (glfwInit() != GLFW_TRUE) {
             const char* reason = nullptr;
@@ -54,7 +54,7 @@ Key key_of(int code) {
             return Key::kLeftBracket;
         case GLFW_KEY_RIGHT_BRACKET:
             return Key::kRightBracket;
-        case GLFW_KEY_EQUAL:  // the plus of most layouts, without shift
+        case GLFW_KEY_EQUAL:  // the key of + on most layouts, without shift
         case GLFW_KEY_KP_ADD:
             return Key::kPlus;
         case GLFW_KEY_MINUS:
@@ -124,8 +124,8 @@ MouseButton button_of(int code) {
     }
 }
 
-// SDL's form of an identity, 32 hexadecimal digits: bus, vendor and product, each with its low byte first and
-// two bytes of nothing after it.
+// SDL's GUID, 32 hexadecimal digits: bus, vendor and product, each with its low byte first and followed by
+// two zero bytes.
 std::uint16_t number_in_identity(std::string_view identity, std::size_t at) {
     const auto byte = [&](std::size_t from) -> unsigned {
         unsigned value = 0;
@@ -147,7 +147,7 @@ std::vector<Gamepad> gamepads_now() {
         const std::string_view identity = guid == nullptr ? "" : guid;
         constexpr std::size_t kVendorDigit = 8;
         constexpr std::size_t kProductDigit = 16;
-        // A trigger's axis goes from -1, let go, to 1.
+        // A trigger's axis runs from -1 (released) to 1.
         const auto pulled = [&](int axis) { return (state.axes[axis] + 1.0F) / 2.0F; };
         Gamepad pad{.slot = slot,
                     .name = name == nullptr ? "" : name,
@@ -218,9 +218,14 @@ class GlfwWindow final : public Window {
     [[nodiscard]] std::vector<Event> poll_events() override {
         glfwPollEvents();
         if (fingers_) follow_fingers();
-        // A screen that is unplugged leaves a window; one that is plugged in again shall be filled.
-        if (wants_full_screen_ && glfwGetWindowMonitor(window_) == nullptr) fill_screen();
-        if (std::exchange(moved_, false)) refresh_hz_ = refresh_now_hz();
+        show_cursor(arrow_.is_shown(glfwGetTime()));
+        // After a monitor is unplugged the window is no longer full screen; restore that when it is plugged
+        // in again.
+        if (wants_full_screen_ && !fills_screen()) fill_screen();
+        if (std::exchange(moved_, false)) {
+            come_onto_the_display();
+            refresh_hz_ = refresh_now_hz();
+        }
         return std::exchange(events_, {});
     }
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return gamepads_now(); }
@@ -237,12 +242,14 @@ class GlfwWindow final : public Window {
 
     void set_full_screen(bool full_screen) override {
         wants_full_screen_ = full_screen;
-        if ((glfwGetWindowMonitor(window_) != nullptr) == full_screen) return;
+        if (fills_screen() == full_screen) return;
         if (full_screen) {
             glfwGetWindowPos(window_, &windowed_x_, &windowed_y_);
             glfwGetWindowSize(window_, &windowed_.width, &windowed_.height);
             fill_screen();
         } else {
+            if (std::exchange(covers_display_, false))
+                glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_TRUE);
             const Size size = windowed_.width > 0 ? windowed_ : Size{1280, 720};
             glfwSetWindowMonitor(window_, nullptr, windowed_x_, windowed_y_, size.width, size.height,
                                  GLFW_DONT_CARE);
@@ -253,14 +260,34 @@ class GlfwWindow final : public Window {
     static GlfwWindow& self(GLFWwindow* window) {
         return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
     }
+    [[nodiscard]] bool fills_screen() const {
+        return covers_display_ || glfwGetWindowMonitor(window_) != nullptr;
+    }
     void fill_screen() {
         GLFWmonitor* monitor = glfwGetPrimaryMonitor();
         const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
         if (mode == nullptr) return;
         glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
-    // Asks the server, so not once a frame. Of the display that shows the window's middle, or else of the
-    // first.
+    // If RandR reports no CRTC, GLFW 3.3 places a full-screen window at uninitialised coordinates, out of
+    // sight. A window without decoration then covers the display.
+    void come_onto_the_display() {
+        GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
+        const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+        if (mode == nullptr) return;
+        int left = 0;
+        int top = 0;
+        int x = 0;
+        int y = 0;
+        glfwGetMonitorPos(monitor, &left, &top);
+        glfwGetWindowPos(window_, &x, &y);
+        if (std::abs(x - left) < mode->width && std::abs(y - top) < mode->height) return;
+        covers_display_ = true;
+        glfwSetWindowMonitor(window_, nullptr, left, top, mode->width, mode->height, GLFW_DONT_CARE);
+        glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_FALSE);
+    }
+    // The refresh rate of the display that shows the window's centre, or of the first one. It queries the
+    // server, so it is not called every frame.
     [[nodiscard]] double refresh_now_hz() const {
         GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
         if (monitor == nullptr) monitor = monitor_below();
@@ -288,8 +315,8 @@ class GlfwWindow final : public Window {
         return glfwGetPrimaryMonitor();
     }
     void push(Event event) { events_.push_back(event); }
-    // Pointer and touches come in the desktop's units, which on a scaled screen are not pixels. Nothing while
-    // the window has none.
+    // Converts pointer and touch positions from the desktop's units, which are not pixels on a scaled screen.
+    // Empty while the window has no size.
     [[nodiscard]] std::optional<PointerEvent> in_pixels(double x, double y) const {
         Size units;
         glfwGetWindowSize(window_, &units.width, &units.height);
@@ -298,10 +325,9 @@ class GlfwWindow final : public Window {
         return PointerEvent{x * pixels.width / units.width, y * pixels.height / units.height};
     }
     void push_pointer(double x, double y) {
-        show_cursor(true);
+        arrow_.moved(x, y, glfwGetTime());
         if (const auto pointer = in_pixels(x, y)) push(*pointer);
     }
-    // No arrow is left standing in the picture while fingers are at work.
     void show_cursor(bool shows) {
         if (std::exchange(shows_cursor_, shows) != shows)
             glfwSetInputMode(window_, GLFW_CURSOR, shows ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
@@ -311,7 +337,7 @@ class GlfwWindow final : public Window {
             const auto place = in_pixels(touch.x_px, touch.y_px).value_or(PointerEvent{});
             touch.x_px = place.x_px;
             touch.y_px = place.y_px;
-            show_cursor(false);
+            arrow_.touched();
             leading_.follow(touch, events_);
         }
     }
@@ -319,11 +345,13 @@ class GlfwWindow final : public Window {
     std::unique_ptr<GlfwLibrary> library_;
     GLFWwindow* window_;
     std::vector<Event> events_;
-    std::unique_ptr<TouchScreen> fingers_;  // null: a touch is the pointer's
+    std::unique_ptr<TouchScreen> fingers_;  // null: touches move the pointer
     LeadingFinger leading_;
     bool shows_cursor_ = true;
+    PointerArrow arrow_{fingers_ == nullptr};
     double refresh_hz_ = refresh_now_hz();
-    bool moved_ = false;  // perhaps to another display
+    bool moved_ = true;            // perhaps to another display
+    bool covers_display_ = false;  // without being GLFW's full screen
     Size windowed_;
     int windowed_x_ = 0;
     int windowed_y_ = 0;
@@ -368,8 +396,7 @@ std::vector<Gamepad> find_gamepads() {
 std::string why_no_display() {
     const auto library = GlfwLibrary::start();
     if (!library) return library.error().message;
-    return glfwVulkanSupported() == GLFW_TRUE ? std::string()
-                                              : "the display is there, but no Vulkan driver for it";
+    return glfwVulkanSupported() == GLFW_TRUE ? std::string() : "a display, but no Vulkan driver for it";
 }
 
 }  // namespace onggi::window

@@ -1,5 +1,5 @@
-// By a connection to the server of its own: GLFW passes over events that it does not know. XI 2.2 protocol:
-// https://www.x.org/releases/X11R7.7/doc/inputproto/XI2proto.txt
+// Uses a connection to the server of its own, because GLFW drops events that it does not know. XI 2.2
+// protocol: https://www.x.org/releases/X11R7.7/doc/inputproto/XI2proto.txt
 #include "engine/window/touch_screen.h"
 
 #include <xcb/xcb.h>
@@ -9,6 +9,27 @@
 #include <cstdlib>
 
 namespace onggi::window {
+
+void PointerArrow::moved(double x_px, double y_px, double now_s) {
+    constexpr double kPauseS = 0.5;  // what comes later is another movement
+    constexpr int kFewestMoves = 3;
+    constexpr double kJoltPx = 24.0;
+    if (moves_ == 0 || now_s - moved_s_ > kPauseS) {
+        moves_ = 0;
+        from_x_px_ = x_px;
+        from_y_px_ = y_px;
+    }
+    ++moves_;
+    moved_s_ = now_s;
+    is_shown_ =
+        is_shown_ || (moves_ >= kFewestMoves && std::hypot(x_px - from_x_px_, y_px - from_y_px_) >= kJoltPx);
+}
+
+bool PointerArrow::is_shown(double now_s) {
+    constexpr double kStillS = 20.0;
+    is_shown_ = is_shown_ && now_s - moved_s_ <= kStillS;
+    return is_shown_;
+}
 
 void LeadingFinger::follow(const Touch& touch, std::vector<Event>& events) {
     if (touch.phase == Touch::Phase::kBegin) return begin(touch, events);
@@ -21,9 +42,9 @@ void LeadingFinger::follow(const Touch& touch, std::vector<Event>& events) {
 
 void LeadingFinger::begin(const Touch& touch, std::vector<Event>& events) {
     if (finger_) {
-        constexpr std::uint32_t kRestMs = 3000;  // longer than who throws lies still
+        constexpr std::uint32_t kRestMs = 3000;  // longer than a throwing finger stays still
         if (touch.time_ms - still_.time_ms < kRestMs) return;
-        // Away from where it lies, so that nothing is pressed there.
+        // Move the pointer away before the release, so that nothing is pressed there.
         events.push_back(PointerEvent{-1.0, -1.0});
         events.push_back(ButtonEvent{MouseButton::kLeft, false});
     }
@@ -34,7 +55,7 @@ void LeadingFinger::begin(const Touch& touch, std::vector<Event>& events) {
 }
 
 void LeadingFinger::move(const Touch& touch, std::vector<Event>& events) {
-    constexpr double kStillPx = 12.0;  // a palm's place wanders by some pixels
+    constexpr double kStillPx = 12.0;  // a resting palm's position drifts by some pixels
     if (std::hypot(touch.x_px - still_.x_px, touch.y_px - still_.y_px) > kStillPx) still_ = touch;
     events.push_back(PointerEvent{touch.x_px, touch.y_px});
 }
@@ -47,7 +68,7 @@ struct Freed {
 template <typename T>
 using Answer = std::unique_ptr<T, Freed>;
 
-// 16 bits before the point, 16 after it.
+// Fixed point: 16 integer bits, 16 fractional bits.
 double number(xcb_input_fp1616_t fixed) {
     return static_cast<double>(fixed) / 65536.0;
 }
@@ -88,7 +109,7 @@ std::vector<Touch> TouchScreen::poll() {
     while (const Answer<xcb_generic_event_t> event{xcb_poll_for_event(server_)}) {
         const auto* generic = reinterpret_cast<const xcb_ge_generic_event_t*>(event.get());
         if (generic->response_type != XCB_GE_GENERIC || generic->extension != xinput_) continue;
-        // One form for all three.
+        // The three event types have the same layout.
         const auto* touch = reinterpret_cast<const xcb_input_touch_begin_event_t*>(event.get());
         Touch::Phase phase{};
         switch (generic->event_type) {

@@ -1,4 +1,4 @@
-// A window, and its peer for machines without a display. Main thread only. Pixels are those of the
+// A window, or a headless one for machines without a display. Main thread only. Pixels are those of the
 // framebuffer.
 #pragma once
 
@@ -29,35 +29,35 @@ class Window {
   public:
     virtual ~Window() = default;
 
-    // What a Vulkan instance needs so that create_surface can work; empty: nothing is presented.
+    // The Vulkan instance extensions that create_surface needs; empty: nothing is presented.
     [[nodiscard]] virtual std::vector<std::string> instance_extensions() const = 0;
-    // VK_NULL_HANDLE for a window that nobody sees. The caller destroys it.
+    // Returns VK_NULL_HANDLE for a headless window. The caller destroys the surface.
     virtual Result<VkSurfaceKHR> create_surface(VkInstance instance) = 0;
 
-    // Oldest first, since the last call. Never blocks.
+    // Returns the events since the last call, oldest first. Never blocks.
     [[nodiscard]] virtual std::vector<Event> poll_events() = 0;
-    // Those that are plugged in and whose buttons are known, as poll_events() found them.
+    // The connected gamepads with a known button layout, as of the last poll_events().
     [[nodiscard]] virtual std::vector<Gamepad> gamepads() const = 0;
     [[nodiscard]] virtual bool close_requested() const = 0;
     [[nodiscard]] virtual Size size() const = 0;
-    // How often the display that it is on is refreshed, in whole Hz as GLFW tells it; 0: unknown. Cheap.
+    // Refresh rate of the window's display in whole Hz, from GLFW; 0: unknown. Cheap.
     [[nodiscard]] virtual double refresh_hz() const = 0;
     virtual void set_title(const std::string& title) = 0;
     virtual void set_full_screen(bool full_screen) = 0;
 };
 
-// A GLFW window. System lacks when there is no display, in one line that says how to go on without one. At
-// most one at a time.
+// Opens a GLFW window, at most one at a time. Error: system lacks, if there is no display; the line says how
+// to run without one.
 Result<std::unique_ptr<Window>> open_window(const WindowDesc& desc);
 
-// Nothing to see and nobody to press a key: size and title are kept, everything else is silent.
+// Opens a headless window: it stores size and title, and sends no events.
 std::unique_ptr<Window> open_headless(const WindowDesc& desc);
 
-// Whether a window could be opened, for doctor: empty, or why not.
+// Returns empty if a window can be opened, otherwise the reason. For `onggi doctor`.
 [[nodiscard]] std::string why_no_display();
 
-// The gamepads there are, for a list of devices: none where there is no display to reach them through. Not
-// while a window is open, which has its own.
+// The connected gamepads, for a list of devices; empty without a display, which GLFW needs to find them. Not
+// while a window is open: use its gamepads().
 [[nodiscard]] std::vector<Gamepad> find_gamepads();
 
 }  // namespace onggi::window

@@ -1,4 +1,4 @@
-"""Takes the mechanism of each safety property out of the source, one after the other, and wants a test to notice.
+"""Removes the mechanism of each safety property from the source, one at a time, and expects a test to fail.
 
   python3 tests/haptics/mutations.py BUILD [NUMBER ...]
 
@@ -18,7 +18,7 @@ LONGEST_S = 120
 
 
 def begun(stage):
-    """The head of a stage, up to where its body begins."""
+    """The head of a stage, up to the start of its body."""
     head = f"dvec3 {stage}("
     told = "/*input*/" if stage == "clamp" else "input"
     return (f"{head}const dvec3& force_n, const SafetyInput& {told}, const SafetyLimits& limits,\n"
@@ -26,11 +26,11 @@ def begun(stage):
 
 
 def off(stage):
-    """A stage that passes the force on as it came."""
+    """A stage that passes the force unchanged."""
     return CHAIN, begun(stage), begun(stage) + "    if (limits.peak_force_n > -1.0) return force_n;\n"
 
 
-# A lock that the I/O thread holds while it tells a device, and that the tick wants.
+# A lock that the I/O thread holds while it writes to a device, and that the tick needs.
 SHARED_LOCK = [
     (f"{HID}/hid_port.h", "class HidBus {", "inline std::mutex everybodys;\n\nclass HidBus {"),
     (f"{HID}/hid_port.h", "#include <memory>\n", "#include <memory>\n#include <mutex>\n"),
@@ -40,7 +40,7 @@ SHARED_LOCK = [
      "    const std::lock_guard lock(hid::everybodys);\n    link_.force.put({.force_n"),
 ]
 
-# Property, what is taken away, (file, text, text instead) or several of them, test program.
+# Property, removed mechanism, (file, text, replacement) or several of them, test program.
 MUTATIONS = [
     (1, "the peak", off("clamp"), PROPERTIES),
     (1, "the continuous force", off("budget"), PROPERTIES),
@@ -119,7 +119,7 @@ MUTATIONS = [
                                          "    put_on_states();\n"), "haptics_quiet_tick"),
     (14, "the dead man's switch", (CHAIN, "input.hand_is_there && !is_stale",
                                    "input.dt_s >= 0.0 && !is_stale"), PROPERTIES),
-    (14, "letting go when nobody is there", ("game/haptic/job.cpp", "                nobody_is_there_ = true;\n",
+    (14, "letting go without a hand", ("game/haptic/job.cpp", "                nobody_is_there_ = true;\n",
                                              "                nobody_is_there_ = false;\n"), PROPERTIES),
     (14, "letting go when the picture hangs", ("game/haptic/job.cpp", " || watchdog_.picture_stands_still();",
                                                ";"), PROPERTIES),
@@ -138,7 +138,7 @@ def noticed(build, what, program):
     built = run("cmake", "--build", build, "--target", program)
     if built.returncode != 0:
         sys.exit(f"mutations: without {what}: expected it to compile, found:\n{built.stdout[-3000:]}")
-    # Some wait for what never comes: that is noticed too. Nobody waits for what they have started themselves.
+    # Some mutations make a test hang; that counts as noticed. Its child processes are not waited for.
     test = str(pathlib.Path(build) / "tests" / program)
     quiet = subprocess.DEVNULL
     try:
@@ -172,7 +172,7 @@ def main():
                 (ROOT / name).write_text(source)
         missed += not seen
         print(f"{number:2} without {what}: {'noticed' if seen else 'NOT NOTICED'}", flush=True)
-    for program in {mutation[3] for mutation in MUTATIONS}:  # as they should be
+    for program in {mutation[3] for mutation in MUTATIONS}:  # with the original source
         run("cmake", "--build", build, "--target", program)
     return 1 if missed else 0
 

@@ -1,4 +1,4 @@
-// The safety chain as tests of it begin: at 4 kHz, past the ramp, as after a second of calm.
+// The initial state for tests of the safety chain: at 4 kHz, after the ramp and a second of calm.
 #pragma once
 
 #include "engine/haptics/safety_chain.h"

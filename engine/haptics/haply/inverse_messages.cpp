@@ -12,7 +12,7 @@
 namespace onggi::haptics::haply {
 namespace {
 
-// What the library's parser tells, as it reads: the names are its own. Each answer says whether to go on.
+// The callbacks of nlohmann/json's parser, with its names. Each returns whether to continue.
 class Walker {
   public:
     using Json = nlohmann::json;
@@ -29,7 +29,7 @@ class Walker {
         return value({.kind = JsonValue::Kind::kNumber, .number = number});
     }
     bool string(std::string_view text) { return value({.kind = JsonValue::Kind::kText, .text = text}); }
-    bool binary(const Json::binary_t&) { return false; }  // text has none
+    bool binary(const Json::binary_t&) { return false; }  // JSON text has no binary values
 
     bool start_object(std::size_t) { return open(false); }
     bool start_array(std::size_t) { return open(true); }
@@ -37,7 +37,8 @@ class Walker {
     bool end_object() { return close(); }
     bool end_array() { return close(); }
 
-    // `read`: how many bytes, the offending one included; one more than there are where the text ends.
+    // `read`: the number of bytes read, including the offending one; one more than the size if the text
+    // ended.
     bool parse_error(std::size_t read, const std::string&, const Json::exception& problem) {
         constexpr int kNumberOverflow = 406;
         const std::size_t at = read > 0 ? read - 1 : 0;
@@ -54,7 +55,7 @@ class Walker {
 
   private:
     struct Level {
-        std::size_t name_length = 0;  // of the object or array itself, as it is written in place_
+        std::size_t name_length = 0;  // of the object's or array's own name in place_
         std::size_t count = 0;
         bool is_array = false;
     };
@@ -112,7 +113,7 @@ constexpr std::string_view kDevice = "inverse3.0.";
 constexpr std::size_t kLongestIdentity = 32;
 constexpr double kFurthestM = 1.0;
 
-// It goes back into messages as it came.
+// The identity is copied into messages without escaping.
 bool is_identity(std::string_view text) {
     return !text.empty() && text.size() <= kLongestIdentity &&
            std::all_of(text.begin(), text.end(), [](unsigned char letter) {
@@ -163,7 +164,7 @@ Result<std::optional<InverseState>> inverse_state(std::string_view message) {
 
 std::string force_message(std::string_view device_id, const dvec3& force_n, std::string_view force_name,
                           bool is_first) {
-    const dvec3 n = force_n + 0.0;  // no minus before a zero
+    const dvec3 n = force_n + 0.0;  // avoids -0
     return message_with(device_id,
                         fmt::format(R"("set_cursor_force":{{"{}":{{"x":{:.4f},"y":{:.4f},"z":{:.4f}}}}})",
                                     force_name, n.x, n.y, n.z),

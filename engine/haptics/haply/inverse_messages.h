@@ -1,7 +1,7 @@
-// What the Haply Inverse service says and is told: JSON texts on a WebSocket of the same machine. Pure; an
-// I/O thread. m, N, in the service's frame: x right, y away from the person, z up. Source: the service's
-// public description, version 3.5. Never tried on hardware by this project; which way the axes point is taken
-// from that description.
+// The messages of the Haply Inverse service: JSON texts on a local WebSocket. Pure; an I/O thread. m, N, in
+// the service's frame: x right, y away from the person, z up. Source: the service's public description,
+// version 3.5. Never tried on hardware by this project; the direction of the axes is taken from that
+// description.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,8 @@
 
 namespace onggi::haptics::haply {
 
-// Walks through a JSON text and tells of each plain value where it stands: for messages of a service on the
-// same machine, of which a few numbers are wanted. No tree is built: nlohmann/json reads and tells. Pure; an
-// I/O thread.
+// Parses a JSON text by events (nlohmann/json's SAX interface) and reports each plain value with its path. No
+// tree is built, since only a few numbers are needed. Pure; an I/O thread.
 
 constexpr std::size_t kMaxMessageBytes = std::size_t{1} << 16U;
 constexpr std::size_t kMaxJsonDepth = 32;  // objects and arrays inside each other
@@ -29,24 +28,24 @@ struct JsonValue {
     std::string_view text = {};  // escapes undone
 };
 
-// `visit` gets each number, text, true, false and null with its place: names and counts from the outside in,
-// with dots between them, as in "inverse3.0.state.cursor_position.x". Error: bad input, one line with the
-// byte, or with what is too much; what was visited before it counts for nothing.
+// Calls `visit` for each number, text, true, false and null with its path: names and indices from the outside
+// in, separated by dots, such as "inverse3.0.state.cursor_position.x". Error: bad input, one line with the
+// byte or the exceeded limit; the caller must discard the values visited before it.
 Result<void> walk_json(std::string_view text,
                        const std::function<void(std::string_view place, const JsonValue&)>& visit);
 
-// What one message says of the first Inverse3 in it.
+// The state of the first Inverse3 in a message.
 struct InverseState {
     std::string device_id = {};
     dvec3 cursor_m{0.0};
 };
 
-// None: a message without an Inverse3, as before one is plugged in. Bad input: no JSON; a device whose
-// identity is none, a place that is not all there or is further away than any such device reaches.
+// Empty for a message without an Inverse3, such as before one is plugged in. Error: bad input, if it is not
+// JSON, the device's identity is invalid, or the position is incomplete or out of the device's reach.
 [[nodiscard]] Result<std::optional<InverseState>> inverse_state(std::string_view message);
 
-// Newtons on the cursor until the next message; each message is answered by one with the state. `force_name`:
-// "vector" since 3.5, "values" before. The first one also says who we are.
+// A force in N on the cursor until the next message; the service answers each message with the state.
+// `force_name`: "vector" since 3.5, "values" before. The first message also names this program.
 [[nodiscard]] std::string force_message(std::string_view device_id, const dvec3& force_n,
                                         std::string_view force_name, bool is_first);
 // Asks for the state without any force.

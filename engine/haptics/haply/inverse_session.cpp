@@ -12,10 +12,10 @@ using hid::kMs;
 
 constexpr double kMmPerM = 1000.0;
 constexpr double kNsPerS = 1e9;
-// A message may get lost in the service; then it is said again.
+// The service may lose a message; then it is sent again.
 constexpr std::int64_t kSayAgainNs = 100 * kMs;
 constexpr std::int64_t kSilenceNs = 2000 * kMs;
-// While no device is plugged in.
+// The poll interval while no device is plugged in.
 constexpr std::int64_t kAskNs = 1000 * kMs;
 
 }  // namespace
@@ -49,7 +49,7 @@ Result<void> InverseSession::take(std::string_view message, std::int64_t now_ns)
     }
     const InverseState& now = **state;
     if (now.device_id != device_id_) {
-        // Another device, or this one plugged in again: its forces begin anew, and so does its place.
+        // Another device, or this one plugged in again: restart its force ramp and its position.
         device_id_ = now.device_id;
         first_m_ = now.cursor_m;
         gate_.restart();
@@ -67,7 +67,7 @@ Result<void> InverseSession::take(std::string_view message, std::int64_t now_ns)
 }
 
 std::string InverseSession::next_message(std::int64_t now_ns) {
-    if (!is_open_ || !was_heard_) return {};  // the service speaks first
+    if (!is_open_ || !was_heard_) return {};  // the service sends the first message
     const std::int64_t since_ns = now_ns - sent_ns_;
     const bool is_first = !has_spoken_;
     if (device_id_.empty()) {

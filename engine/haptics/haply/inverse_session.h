@@ -1,6 +1,6 @@
-// One Inverse3's life on its I/O thread, without the socket: what comes is taken, what is to be said is
-// given, and between the two stands the last gate before its motors. Tests call it with a time of their own.
-// mm, N in the wheel's frame; everything belongs to the I/O thread but for the mailboxes of InverseLink.
+// The session of one Inverse3 on its I/O thread, without the socket: it takes incoming messages, returns
+// outgoing ones, and has the last gate before the motors. Tests call it with a virtual time. mm, N in the
+// wheel's frame; everything belongs to the I/O thread except the other ends of InverseLink's mailboxes.
 #pragma once
 
 #include <atomic>
@@ -20,34 +20,34 @@ struct InverseOptions {
     std::string host = "127.0.0.1";
     int port = 10001;
     std::string force_name = "vector";  // "values" for a service older than 3.5
-    double rate_hz = 1000.0;            // messages a second: the service follows its client
-    // The kiosk's profile, not the ten newtons such a device can give.
+    double rate_hz = 1000.0;            // messages per second: the client sets the rate
+    // The kiosk's limits, not the ten newtons that the device can apply.
     double peak_n = kKioskPeakForceN;
     double continuous_n = kKioskContinuousForceN;
 };
 
-// The cursor in the wheel's axes, from wherever it stood when it was first heard.
+// The cursor in the wheel's axes, relative to its first reported position.
 struct SpaceInput {
     dvec3 place_mm{0.0};
     bool is_live = false;
-    double force_fraction = 0.0;  // of the force ordered last, what the gate let through; 0 to 1
-    std::uint64_t heartbeat = 0;  // counts messages: it must not stand still
+    double force_fraction = 0.0;  // fraction of the last ordered force that the gate passed, 0 to 1
+    std::uint64_t heartbeat = 0;  // counts messages; if it stops, the service is silent
 };
 struct SpaceOrder {
     dvec3 force_n{0.0};
-    std::uint64_t ticks = 0;  // counts orders: it must not stand still
+    std::uint64_t ticks = 0;  // counts orders; if it stops, the haptic thread hangs
 };
 
 struct InverseLink {
     jobs::Mailbox<SpaceInput> input;       // I/O thread to haptic thread
     jobs::Mailbox<SpaceOrder> order;       // haptic thread to I/O thread
     jobs::Mailbox<hid::HidStatus> status;  // I/O thread to main thread
-    // Watchdog to I/O thread: how often it asked for no force, because the haptic thread stands still.
+    // Watchdog to I/O thread: how often it asked for zero force because the haptic thread hangs.
     std::atomic<std::uint32_t> silences{0};
 };
 
-// The service's axes and the wheel's: x is x, the service's z is up, its y goes away from the person as the
-// wheel's z comes towards them.
+// Converts the service's axes to the wheel's: x is the same, the service's z is up, and its y points away
+// from the person, opposite to the wheel's z.
 [[nodiscard]] inline dvec3 wheel_from_service(const dvec3& v) noexcept {
     return {v.x, v.z, -v.y};
 }
@@ -59,19 +59,19 @@ class InverseSession {
   public:
     InverseSession(InverseLink& link, const InverseOptions& options);
 
-    // The socket stands: from now on messages come and go.
+    // The socket is connected.
     void opened();
-    // A whole message. Error: it is not one of an Inverse service; the caller closes the socket and tells
-    // closed().
+    // Takes a complete message. Error: it is not from an Inverse service; the caller closes the socket and
+    // calls closed().
     Result<void> take(std::string_view message, std::int64_t now_ns);
-    // What is to be said now; empty: nothing yet. What the watchdog asks for is said at once, whatever is due
-    // and whether the last message was answered or not.
+    // The message to send now; empty: none is due. A zero force for the watchdog is sent at once, even if the
+    // last message was not answered.
     [[nodiscard]] std::string next_message(std::int64_t now_ns);
-    // Before the socket is closed by us: no force, whatever was said last.
+    // The message to send before closing the socket: zero force.
     [[nodiscard]] std::string last_message() const;
-    // The socket is gone. `why` is for a person; empty: nobody answered, as where there is no service at all.
+    // The socket was closed. `why` is for users; empty: there is no service.
     void closed(const std::string& why);
-    // The service has not answered for so long that the socket cannot be good.
+    // The service has not answered within the timeout: reconnect.
     [[nodiscard]] bool is_silent(std::int64_t now_ns) const;
 
   private:

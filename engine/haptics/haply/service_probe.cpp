@@ -29,7 +29,7 @@ class Socket {
     int number_;
 };
 
-// 0: connected; else why not, as the system numbers it.
+// Returns 0 if connected, otherwise errno.
 int connected(const Socket& socket, const sockaddr_in& address, int within_ms) {
     if (socket.number() < 0) return errno;
     if (::connect(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
@@ -60,7 +60,7 @@ Result<void> find_service(const InverseOptions& options, int within_ms) {
         case ECONNREFUSED:
             return system_lacks(fmt::format("nothing listens at {}", place));
         case ETIMEDOUT:
-            return system_lacks(fmt::format("nobody answers at {} within {} ms", place, within_ms));
+            return system_lacks(fmt::format("no answer from {} within {} ms", place, within_ms));
         default:
             return system_lacks(fmt::format("{}: {}", place, std::generic_category().message(error)));
     }

@@ -1,5 +1,5 @@
-// Whether anything listens where the Inverse service should: for whoever asks what there is to hold. Main
-// thread; blocks for as long as it is told at most. Says nothing to whoever listens, and hangs up.
+// Checks whether something listens on the Inverse service's port, for `onggi devices`. Main thread; blocks up
+// to a given time. Sends nothing and closes the connection.
 #pragma once
 
 #include "engine/core/result.h"
@@ -9,7 +9,7 @@ namespace onggi::haptics::haply {
 
 constexpr int kProbeMs = 200;
 
-// Error: system lacks, one line that says why: nothing listens, or nobody answers in that time.
+// Error: system lacks, with one line: nothing listens, or there was no answer in time.
 [[nodiscard]] Result<void> find_service(const InverseOptions& options, int within_ms = kProbeMs);
 
 }  // namespace onggi::haptics::haply

@@ -12,8 +12,8 @@ constexpr std::size_t kInputBytes = 64;
 constexpr std::uint8_t kOutputReport = 0x02;
 constexpr std::size_t kOutputBytes = 48;
 
-// By radio: the id, a byte (of an order two) of its own, then the bytes of the report over USB; the checksum
-// last.
+// Over Bluetooth: the id, one extra byte (two in an output report), the bytes of the USB report, and the
+// checksum.
 constexpr std::uint8_t kRadioReport = 0x31;
 constexpr std::size_t kRadioBytes = 78;
 constexpr std::size_t kRadioChecksum = 74;
@@ -47,7 +47,7 @@ DualSenseTouch touch_at(std::span<const std::uint8_t> report, std::size_t at) no
             .y = static_cast<std::uint16_t>((report[at + 2] >> 4U) | (report[at + 3] << 4U))};
 }
 
-// A bit for each zone in use, low byte first, then three bits a zone: its strength less one.
+// One bit for each zone in use, low byte first, then three bits for each zone: its strength minus one.
 TriggerEffect by_zone(std::uint8_t mode, const std::array<std::uint8_t, kTriggerZones>& strengths) noexcept {
     std::uint32_t zones = 0;
     std::uint32_t levels = 0;

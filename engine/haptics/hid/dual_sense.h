@@ -1,8 +1,8 @@
-// Sony DualSense (054c:0ce6) and DualSense Edge (054c:0df2) over USB and Bluetooth: what it says, and what it
-// is told. Pure; any thread; no allocation. By radio the same bytes come one further back, in longer reports
-// with a checksum; a report whose checksum is wrong is none. Source: byte tables worked out in public (SDL's
-// and Linux's drivers, dualsensectl, nondebug/dualsense, Nielk1's trigger effects). Never tried on hardware
-// by this project.
+// Sony DualSense (054c:0ce6) and DualSense Edge (054c:0df2) over USB and Bluetooth: its input and output
+// reports. Pure; any thread; no allocation. Over Bluetooth the same bytes come one later, in longer reports
+// with a checksum; a report with a wrong checksum is rejected. Source: public byte tables (SDL's and Linux's
+// drivers, dualsensectl, nondebug/dualsense, Nielk1's trigger effects). Never tried on hardware by this
+// project.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace onggi::haptics::hid {
 
 struct DualSenseTouch {
     bool touching = false;
-    std::uint8_t id = 0;  // another finger, another number
+    std::uint8_t id = 0;  // changes with each new touch
     std::uint16_t x = 0;  // 0 to 1919, left to right
     std::uint16_t y = 0;  // 0 to 1079, top to bottom
 };
 
 struct DualSenseState {
-    enum Button : std::uint32_t {  // bytes 8 (its upper half), 9 and 10 of the report, as they stand
+    enum Button : std::uint32_t {  // bytes 8 (upper half), 9 and 10 of the report
         kSquare = 1U << 4U,
         kCross = 1U << 5U,
         kCircle = 1U << 6U,
@@ -50,10 +50,10 @@ struct DualSenseState {
     std::uint8_t hat = kNoHat;  // 0 to 7 clockwise from up
     std::uint32_t buttons = 0;
     std::array<std::int16_t, 3> gyro{};   // pitch, yaw, roll; about 1/16 degree/s a step, uncalibrated
-    std::array<std::int16_t, 3> accel{};  // 8192 a g
+    std::array<std::int16_t, 3> accel{};  // 8192 per g
     std::uint32_t sensor_time = 0;        // steps of 1/3 us
     std::array<DualSenseTouch, 2> touches{};
-    // Where in its ten zones a trigger is, and whether it feels its resistance at this moment.
+    // The zone of ten that each trigger is in, and whether it meets its resistance now.
     std::uint8_t right_trigger_zone = 0;
     std::uint8_t left_trigger_zone = 0;
     bool right_trigger_loaded = false;
@@ -64,27 +64,27 @@ struct DualSenseState {
     std::uint8_t charging = 0;  // 0 discharging, 1 charging, 2 full, more: a fault
 };
 
-// Input report 1 over USB, 64 bytes with its id; or 0x31 over Bluetooth, 78 with its checksum. None: another
-// report (the short report 1 of a pad by radio that has not been asked for the long one, among them), one
-// that is cut short or does not match its checksum.
+// Parses input report 1 over USB (64 bytes with its id) or 0x31 over Bluetooth (78 bytes with its checksum).
+// Empty for any other report (such as the short report 1 that a Bluetooth pad sends until asked for the long
+// one), a short report, or a wrong checksum.
 [[nodiscard]] std::optional<DualSenseState> dual_sense_state(std::span<const std::uint8_t> report) noexcept;
 
 constexpr std::size_t kTriggerZones = 10;
 constexpr std::uint8_t kStrongestZone = 8;
 
-// What a trigger does along its travel: mode and ten parameters. Only the set that its maker uses: others can
-// hurt the mechanism.
+// What a trigger does along its travel: mode and ten parameters. Only the effects that the maker uses: others
+// can damage the mechanism.
 struct TriggerEffect {
     std::array<std::uint8_t, 11> bytes{};
     friend bool operator==(const TriggerEffect&, const TriggerEffect&) = default;
 };
 [[nodiscard]] TriggerEffect trigger_off() noexcept;
-// Mode 0x21: a resistance for each zone from rest (0) to pulled (9), 0 to 8; more is held to 8. This is a
-// force over travel. All zero: off.
+// Mode 0x21: a resistance of 0 to 8 (larger values are clamped) for each zone from rest (0) to pulled (9),
+// that is a force as a function of travel. All zero: off.
 [[nodiscard]] TriggerEffect trigger_resistance(
     const std::array<std::uint8_t, kTriggerZones>& strengths) noexcept;
 
-// All that the pad is told, in one report. What is not marked for setting stays as it is in the pad.
+// The contents of one output report. An empty field leaves the pad's setting unchanged.
 struct DualSenseOrders {
     std::optional<TriggerEffect> right_trigger = std::nullopt;
     std::optional<TriggerEffect> left_trigger = std::nullopt;
@@ -94,14 +94,15 @@ struct DualSenseOrders {
     };
     std::optional<Rumble> rumble = std::nullopt;
     std::optional<std::array<std::uint8_t, 3>> light = std::nullopt;  // red, green, blue
-    bool end_start_up_light = false;  // the blue fade after plugging in keeps the light bar otherwise
+    bool end_start_up_light =
+        false;  // ends the blue fade after plugging in, which otherwise holds the light bar
 };
 // Output report 2 over USB: 48 bytes with its id.
 [[nodiscard]] Report dual_sense_report(const DualSenseOrders& orders) noexcept;
-// The same by radio: report 0x31 of 78 bytes, numbered 0 to 15 and round again, with its checksum.
+// The same over Bluetooth: report 0x31 of 78 bytes, with a sequence number modulo 16 and a checksum.
 [[nodiscard]] Report by_radio(const Report& over_usb, unsigned sequence) noexcept;
 
-// What goes before the bytes of a report by radio when its checksum is worked out.
+// The byte that precedes a Bluetooth report in the computation of its checksum.
 constexpr std::uint8_t kInputSeed = 0xa1;
 constexpr std::uint8_t kOutputSeed = 0xa2;
 // CRC-32 of Ethernet and zlib (polynomial 0xedb88320, reflected) over the seed and then the bytes.

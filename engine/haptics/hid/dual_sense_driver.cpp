@@ -6,9 +6,9 @@
 namespace onggi::haptics::hid {
 namespace {
 
-// It reports every 4 ms, whatever happens.
+// The pad reports every 4 ms, even at rest.
 constexpr std::int64_t kSilenceNs = 100 * kMs;
-// A worm gear moves the resistance: more often than this it could not follow.
+// A worm gear moves the resistance and cannot follow more often than this.
 constexpr std::int64_t kLeastIntervalNs = 10 * kMs;
 constexpr std::array<std::uint8_t, 3> kWheelStands{0x00, 0x10, 0x40};
 constexpr std::array<std::uint8_t, 3> kAtEase{0x18, 0x50, 0x08};
@@ -23,7 +23,7 @@ constexpr double kGyroDegSPerStep = 1.0 / 16.0;
 constexpr double kSensorSPerStep = 1.0 / 3e6;
 constexpr double kLongestSensorS = 0.05;
 constexpr std::uint8_t kMostRumble = 0x60;
-constexpr std::uint8_t kRumbleStep = 0x08;  // finer would be a report a tick
+constexpr std::uint8_t kRumbleStep = 0x08;  // a finer step would need a report every tick
 constexpr std::uint8_t kPedalDown = 0x40;   // L2, of 255
 
 double from_stick(std::uint8_t value, double dead_band) noexcept {
@@ -44,8 +44,9 @@ TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
             ? std::clamp(order.work.stiffness_n_per_mm, kSoftestNPerMm, mapping.most_stiffness_n_per_mm)
             : mapping.stiffness_n_per_mm;
     const auto wall = local_wall(order, stiffness);
-    if (!wall || !wall->is_outside) return trigger_off();  // the trigger presses inwards, and feels only that
-    const double rest_mm = order.tool_mm.x + press_mm;     // the tool's radius with the trigger let go
+    if (!wall || !wall->is_outside)
+        return trigger_off();  // the trigger presses inwards and can only resist that
+    const double rest_mm = order.tool_mm.x + press_mm;  // the tool's radius with the trigger let go
     std::array<std::uint8_t, kTriggerZones> strengths{};
     for (std::size_t zone = 0; zone < kTriggerZones; ++zone) {
         const double travel = (static_cast<double>(zone) + 0.5) / static_cast<double>(kTriggerZones);
@@ -85,7 +86,7 @@ DeviceCapabilities DualSenseDriver::capabilities() const {
 Result<void> DualSenseDriver::start(const HidDeviceInfo& device, HidPort& port) {
     is_by_radio_ = device.bus == HidBusType::kBluetooth;
     if (is_by_radio_) {
-        // By radio it says little until somebody asks for its calibration.
+        // Over Bluetooth it sends short reports until its calibration is read.
         std::array<std::uint8_t, kCalibrationBytes> calibration{kCalibration};
         if (auto asked = port.get_feature(calibration); !asked) return asked.error();
     }
@@ -100,9 +101,12 @@ Result<void> DualSenseDriver::start(const HidDeviceInfo& device, HidPort& port) 
                                          .end_start_up_light = true}));
 }
 
+// A pad that is there and refuses to be told still moves the tool. It is told again at the next occasion.
 Result<void> DualSenseDriver::tell(HidPort& port, const Report& report) {
-    if (!is_by_radio_) return port.write(report.view());
-    return port.write(by_radio(report, sequence_++).view());
+    auto sent = port.write(is_by_radio_ ? by_radio(report, sequence_++).view() : report.view());
+    if (sent || !port.is_there()) return sent;
+    last_sent_.reset();
+    return {};
 }
 
 void DualSenseDriver::take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept {
@@ -116,7 +120,8 @@ void DualSenseDriver::take_report(std::span<const std::uint8_t> report, std::int
     was_heard_ = true;
 }
 
-// The same finger drawn on, and the pad tilted; height is up, whatever counts downwards in the pad.
+// Adds the motion of a finger that stays down, and the tilt of the pad. Height grows upwards, whereas the
+// pad's y grows downwards.
 void DualSenseDriver::travel(const DualSenseState& now) noexcept {
     const DualSenseTouch& before = state_.touches[0];
     const DualSenseTouch& finger = now.touches[0];
@@ -131,7 +136,8 @@ void DualSenseDriver::travel(const DualSenseState& now) noexcept {
         const double deg_s = static_cast<double>(gyro) * kGyroDegSPerStep;
         return std::abs(deg_s) <= mapping_.tilt_dead_deg_s ? 0.0 : deg_s * dt_s;
     };
-    // Nose up is up; to the right, clockwise from above, is outwards and counts negative in the pad.
+    // Tilting up moves up. Turning right (clockwise from above) moves outwards; the pad reports it as
+    // negative.
     travelled_mm_ += mapping_.tilt_mm_per_deg * dvec2(-turned_deg(now.gyro[1]), turned_deg(now.gyro[0]));
 }
 
@@ -170,7 +176,8 @@ Result<void> DualSenseDriver::send(HidPort& port, const ForceOrder& order, std::
 }
 
 void DualSenseDriver::stop(HidPort& port) noexcept {
-    // Resistance would stay in the pad for whoever plays next; a failure means it is unplugged, and forgets.
+    // Otherwise the pad would keep its resistance. A failure means that it is unplugged, and then it forgets
+    // it.
     (void)tell(port, dual_sense_report({.right_trigger = trigger_off(),
                                         .left_trigger = trigger_off(),
                                         .rumble = DualSenseOrders::Rumble{},

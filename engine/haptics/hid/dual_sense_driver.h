@@ -1,9 +1,9 @@
-// Driver of the DualSense over USB and Bluetooth. I/O thread. The left stick moves the tool (rate control), a
-// finger on the touch pad draws it, tilting the pad while L1 is held leads it. The right trigger presses it
-// inwards and meets the work's resistance: as stiff as the work is there, no stronger than a thin wall bears.
-// L2 turns the wheel, the faster the further it is pulled; cross keeps it turning. The pad trembles with the
-// wall that slides by, and its light says how near the work is to giving way. Never tried on hardware by this
-// project: newtons stand for shares of a trigger's strongest resistance, which its maker does not tell.
+// Driver of the DualSense over USB and Bluetooth. I/O thread. The left stick moves the tool (rate control);
+// so do a finger on the touch pad, and tilting the pad while L1 is held. The right trigger presses the tool
+// inwards against the work's resistance: as stiff as the work is there, no stronger than a thin wall bears.
+// L2 turns the wheel, the faster the further it is pulled; cross keeps it turning. The pad vibrates with the
+// sliding wall, and its light shows how close the work is to yielding. Never tried on hardware by this
+// project: newtons stand for fractions of a trigger's strongest resistance, which the maker does not state.
 #pragma once
 
 #include <optional>
@@ -20,21 +20,21 @@ struct DualSenseMapping {
     double stick_dead_band = 0.08;  // of full deflection
     double press_mm = 20.0;         // the right trigger pulled all the way
     double stiffness_n_per_mm = 0.5;
-    double strongest_n = kKioskPeakForceN;  // the force that is shown as the trigger's strongest zone
+    double strongest_n = kKioskPeakForceN;  // the force rendered as the trigger's strongest zone
     double most_stiffness_n_per_mm = 2.0;
-    double touch_mm = 160.0;         // of the tool, for a finger drawn across the whole touch pad
+    double touch_mm = 160.0;         // of the tool, for a finger moved across the whole touch pad
     double tilt_mm_per_deg = 1.5;    // of the tool, while L1 is held
-    double tilt_dead_deg_s = 2.0;    // a pad on a table says as much
+    double tilt_dead_deg_s = 2.0;    // a pad at rest on a table reports this much
     double fastest_rev_min = 240.0;  // with L2 pulled all the way
 };
 
-// The trigger's resistance where the work would push with F(x) at the travel x: each zone's centre,
-// quantised. `press_mm`: how far the trigger has the tool pressed in as the order was worked out.
+// The trigger's resistance for a wall that pushes with F(x) at the travel x, sampled at each zone's centre
+// and quantised. `press_mm`: how far the trigger pressed the tool in when the order was computed.
 [[nodiscard]] TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
                                              const DualSenseMapping& mapping) noexcept;
 
-// The light bar: how fast the work turns and how near it is to giving way, from green by amber to red. Dark
-// blue while the wheel stands. In coarse steps, and never flashing.
+// The light bar: shows the wheel's speed and how close the work is to yielding, from green through amber to
+// red. Dark blue while the wheel stands. In coarse steps, and never flashing.
 [[nodiscard]] std::array<std::uint8_t, 3> light_for(const ForceOrder& order) noexcept;
 
 class DualSenseDriver final : public HidDriver {
@@ -51,7 +51,7 @@ class DualSenseDriver final : public HidDriver {
   private:
     [[nodiscard]] double press_mm() const noexcept;
     void travel(const DualSenseState& now) noexcept;
-    // In the form of the way it is connected.
+    // Sends the report in its USB or Bluetooth form.
     Result<void> tell(HidPort& port, const Report& report);
 
     DualSenseMapping mapping_;
@@ -61,7 +61,7 @@ class DualSenseDriver final : public HidDriver {
     std::int64_t heard_ns_ = 0;
     bool was_heard_ = false;
     bool is_by_radio_ = false;
-    unsigned sequence_ = 0;  // of reports by radio
+    unsigned sequence_ = 0;  // of Bluetooth reports
     std::optional<Report> last_sent_;
     std::int64_t last_sent_ns_ = 0;
 };

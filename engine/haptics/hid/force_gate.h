@@ -1,6 +1,6 @@
-// The last gate before a device's motors, on its I/O thread: what the haptic thread orders, or less. It knows
-// what the tick's own safety chain (safety_chain.h, SAFETY.md) cannot know: that the tick has stopped, or
-// that the device was just plugged in. Pure; one thread at a time. N, ns.
+// The last gate before a device's motors, on its I/O thread: passes the haptic thread's force or reduces it.
+// It covers what the tick's own safety chain (safety_chain.h, SAFETY.md) cannot know: that the tick has
+// stopped, or that the device was just plugged in. Pure; one thread at a time. N, ns.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace onggi::haptics::hid {
 
 struct ForceGateLimits {
     double peak_n = kKioskPeakForceN;
-    // No new order for so long: no force. Two ticks of the slowest rate (100 Hz). USB devices are told every
-    // 4 ms, so that the 5 ms that a faster bus could keep are out of reach.
+    // Without a new order for this long the force is zero. Two ticks of the slowest rate (100 Hz). USB
+    // devices are sent forces every 4 ms, so they cannot meet the 5 ms that a faster bus could.
     std::int64_t silence_ns = 20 * kMs;
-    // For so long: the loop counts as dead, and devices with effects of their own are stopped altogether.
+    // After this long the loop counts as dead, and devices that run effects by themselves are stopped.
     std::int64_t starved_ns = 100 * kMs;
-    // From nothing to full force after plugging in, and after any silence ...
+    // From zero to full force after plugging in, and after any silence ...
     std::int64_t ramp_ns = 1000 * kMs;
     // ... which begins only at a small order: a device plugged in while the tool is deep in the work stays
     // loose until the tool has come out.
@@ -29,15 +29,15 @@ class ForceGate {
   public:
     explicit ForceGate(const ForceGateLimits& limits = {}) : limits_(limits) {}
 
-    // A device was opened, or its input went silent: forces begin again from nothing.
+    // A device was opened, or its input went silent: forces start again from zero.
     void restart() noexcept {
         ramp_since_ns_ = kNotYet;
         fraction_ = 0.0;
     }
 
-    // The order as it may be sent: its force zero, shortened, or as it is; its direction never bent.
+    // Returns the order as it may be sent: its force zero, shortened or unchanged, in the same direction.
     [[nodiscard]] ForceOrder passed(const ForceOrder& order, std::int64_t now_ns) noexcept;
-    // What the last passed() left of a force, 0 to 1; 0 after restart().
+    // The fraction of the force that the last passed() kept, 0 to 1; 0 after restart().
     [[nodiscard]] double fraction() const noexcept { return fraction_; }
 
   private:

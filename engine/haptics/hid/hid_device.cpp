@@ -52,7 +52,7 @@ HidDevice::HidDevice(const HidDeviceOptions& options, std::unique_ptr<hid::HidBu
                 .only = options.only,
                 .force = {.peak_n = capabilities_.force_axes > 0 ? capabilities_.peak_force_n : 0.0}}),
       tracker_(options.reach) {
-    // The I/O thread's round, writes included: what its mailbox holds is never much younger.
+    // The I/O thread's round, writes included, limits the rate of new values in its mailbox.
     constexpr double kRoundsPerS = 100.0;
     capabilities_.report_rate_hz = kRoundsPerS;
 }
@@ -93,7 +93,7 @@ int let_go_of_all(hid::HidBus& bus) {
         if (driver->capabilities().force_axes == 0) continue;
         auto port = bus.open(info);
         if (!port) continue;
-        // start() makes it known what the device is, and stops all that was there before.
+        // start() identifies the device and stops its earlier effects.
         if (driver->start(info, **port)) ++count;
         driver->stop(**port);
     }

@@ -1,10 +1,10 @@
-// A real device on the USB bus, as the rest of the program sees any device: a HapticDevice. It may be plugged
-// in and out at any time; meanwhile the tool stays where it is, without force.
+// A real USB device as a HapticDevice. It may be plugged in and out at any time; while it is absent the tool
+// stays in place without force.
 //
 //     auto device = make_hid_device({.kind = HidKind::kForceJoystick});   // main thread
-//     device->open();                          // starts its I/O thread, which looks for it from now on
+//     device->open();                          // starts its I/O thread, which searches for it
 //     ... the haptic thread reads and writes, the main thread asks status() ...
-//     device->close();                         // forces off, thread ended
+//     device->close();                         // forces off, thread stopped
 //
 // read() and write() touch mailboxes only: no call into hidapi, no lock, no allocation. All that blocks
 // happens on the I/O thread (hid_session.h).
@@ -30,7 +30,7 @@ struct HidDeviceOptions {
     hid::SpaceMouseMapping space_mouse = {};
     hid::DualSenseMapping dual_sense = {};
     hid::PidMapping joystick = {};  // its reach is taken from above
-    std::string only = {};          // of several of its kind, this node (/dev/hidrawN); empty: any
+    std::string only = {};          // use only this node (/dev/hidrawN); empty: any of its kind
 };
 
 class HidDevice final : public Hand {
@@ -38,9 +38,9 @@ class HidDevice final : public Hand {
     HidDevice(const HidDeviceOptions& options, std::unique_ptr<hid::HidBus> bus);
     ~HidDevice() override { close(); }
 
-    // Never waits for the device: one that is not there yet is found when it comes. Error: no thread.
+    // Does not wait for the device, which may be plugged in later. Error: the thread cannot start.
     Result<void> open() override;
-    // Waits for the I/O thread's round, some ms as a rule; leaves the device without force.
+    // Waits for the I/O thread's round, usually some ms; leaves the device without force.
     void close() noexcept override;
     [[nodiscard]] DeviceCapabilities capabilities() const override { return capabilities_; }
 
@@ -78,9 +78,9 @@ class HidDevice final : public Hand {
     std::uint64_t ticks_ = 0;
 };
 
-// All that is plugged in and can push is told to let go, whoever told it to push: for the supervisor of a
-// program that has died. Opens, stops and closes each; may take some 100 ms. Gives how many did as they were
-// told.
+// Stops the force of every device that is plugged in, whichever process set it: for the supervisor of a
+// program that has died. Opens, stops and closes each; may take some 100 ms. Returns the number of devices
+// stopped.
 int let_go_of_all(hid::HidBus& bus);
 int let_go_of_all();  // on the real bus
 

@@ -36,7 +36,7 @@ HidBusType bus_of(const hid_device_info& device) {
     }
 }
 
-// hidapi gives descriptors from 0.14 on; the kernel has always shown them.
+// hidapi returns descriptors from 0.14 on; the kernel's sysfs always has them.
 std::vector<std::uint8_t> report_descriptor_of(const std::string& path) {
     const auto bytes = files::read_file(fmt::format("/sys/class/hidraw/{}/device/report_descriptor",
                                                     std::filesystem::path(path).filename().string()),

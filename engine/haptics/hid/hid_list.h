@@ -1,5 +1,5 @@
-// The HID devices that are plugged in, what each could do here, and why one is not used. Main thread or an
-// I/O thread; may block for some milliseconds.
+// The HID devices that are plugged in, what each can do here, and why one is not used. Main thread or an I/O
+// thread; may block for some milliseconds.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace onggi::haptics {
 
 enum class HidBusType : std::uint8_t { kUnknown, kUsb, kBluetooth, kOther };
 
-// What a driver is there for.
+// The kinds of device that have a driver.
 enum class HidKind : std::uint8_t {
     kUnknown,
     kForceJoystick,  // USB PID 1.0: two axes that push back
@@ -23,20 +23,20 @@ enum class HidKind : std::uint8_t {
 
 struct HidDeviceInfo {
     std::string path = {};  // /dev/hidrawN
-    std::string name = {};  // manufacturer and product, as the device says; may be empty
+    std::string name = {};  // manufacturer and product, as reported; may be empty
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
     bool may_open = false;  // this user may read and write the device node
     HidBusType bus = HidBusType::kUnknown;
     std::vector<std::uint8_t> report_descriptor = {};  // empty where it cannot be read
-    // Worked out of the above (hid_kind.h).
+    // Derived from the above (hid_kind.h).
     HidKind kind = HidKind::kUnknown;
-    std::string can = {};      // one line: what it does here; empty for an unknown device
+    std::string can = {};      // one line: its use here; empty for an unknown device
     std::string refusal = {};  // one line: why it is not used; empty where it is
-    std::string remedy = {};   // one line: what would mend that; empty where nothing here does
+    std::string remedy = {};   // one line: how to fix that; empty if there is no fix
 };
 
-// One entry a device (hidapi gives one a usage collection), ordered by path.
+// One entry per device (hidapi lists one per usage collection), ordered by path.
 Result<std::vector<HidDeviceInfo>> list_hid_devices();
 
 }  // namespace onggi::haptics

@@ -1,6 +1,6 @@
-// The two doors to HID devices: a bus that lists and opens them, and a port, one opened device. The real ones
-// are in hidapi_bus.h; tests script their own. Called from one device's I/O thread; both may block and
-// allocate, so never from the tick.
+// Interfaces to HID devices: a bus that lists and opens them, and a port, which is one opened device. The
+// real ones are in hidapi_bus.h; tests have scripted ones. Called from one device's I/O thread; both may
+// block and allocate, so never from the tick.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,10 @@
 
 namespace onggi::haptics::hid {
 
-constexpr std::size_t kUsbReportBytes = 64;  // the most over full-speed USB
-constexpr std::size_t kMaxReportBytes =
-    78;  // of every report that is read or written here; a DualSense's by radio
+constexpr std::size_t kUsbReportBytes = 64;  // the maximum over full-speed USB
+constexpr std::size_t kMaxReportBytes = 78;  // the longest report used here: a DualSense's over Bluetooth
 
-// A report, held in place.
+// A report in a fixed buffer.
 struct Report {
     std::array<std::uint8_t, kMaxReportBytes> bytes{};
     std::size_t size = 0;
@@ -36,15 +35,16 @@ class HidPort {
   public:
     virtual ~HidPort() = default;  // closes the device
 
-    // The next report in the device's queue, oldest first; byte 0 is the report's id where the device numbers
-    // its reports. Waits up to timeout_ms; 0: looks only. Size 0: none came. An error: the device is gone.
+    // Reads the next report in the device's queue, oldest first; byte 0 is the report's id if the device
+    // numbers its reports. Waits up to timeout_ms; 0: does not wait. Returns its size, 0 if none came. Error:
+    // the device is gone.
     virtual Result<std::size_t> read(std::span<std::uint8_t> report, int timeout_ms) = 0;
-    // Byte 0 is the report's id, 0 where reports are not numbered. An error: the device is gone, or refused.
+    // Byte 0 is the report's id, 0 if reports are not numbered. Error: the device is gone, or refused it.
     virtual Result<void> write(std::span<const std::uint8_t> report) = 0;
     virtual Result<void> set_feature(std::span<const std::uint8_t> report) = 0;
-    // Byte 0 says which report; the answer is written over it, its size returned.
+    // Byte 0 is the id of the wanted report; the report overwrites the buffer. Returns its size.
     virtual Result<std::size_t> get_feature(std::span<std::uint8_t> report) = 0;
-    // Whether the device's node still stands: a removal is noticed although nothing is read or written.
+    // Whether the device's node still exists: detects a removal without reading or writing.
     [[nodiscard]] virtual bool is_there() = 0;
     virtual void pause_ms(int milliseconds) = 0;
 };

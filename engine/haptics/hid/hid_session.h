@@ -1,6 +1,6 @@
-// One device's life on its I/O thread: looked for, opened, heard, told, lost, looked for again. The loop
-// without the thread: tests call round() with a time of their own. Everything here belongs to the I/O thread
-// but for the mailboxes of HidLink, whose other end another thread has.
+// The session of one device on its I/O thread: search, open, read reports, send forces, lose it, search
+// again. The loop without the thread: tests call round() with a virtual time. Everything here belongs to the
+// I/O thread, except the other ends of HidLink's mailboxes.
 #pragma once
 
 #include <atomic>
@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/haptics/hid/force_gate.h"
 #include "engine/haptics/hid/hid_driver.h"
@@ -20,7 +21,7 @@ namespace onggi::haptics::hid {
 struct HidStatus {
     enum class State : std::uint8_t {
         kAbsent,   // not plugged in
-        kReady,    // heard and told
+        kReady,    // in use
         kRefused,  // plugged in, but not to be used: `message` says why
         kFailed,   // opened, but it did not do what it should: `message` says what
     };
@@ -29,15 +30,15 @@ struct HidStatus {
     std::string path = {};          // its node
     std::string message = {};       // one line; empty when absent or ready
     bool is_heard = false;          // ready, and its input is not stale
-    std::uint32_t buttons = 0;      // bit 0 the first; which those are is the driver's affair
-    std::uint64_t times_found = 0;  // 1 after the first opening, one more after each plugging in again
+    std::uint32_t buttons = 0;      // bit 0 the first; their meaning depends on the driver
+    std::uint64_t times_found = 0;  // the number of openings so far
 };
 
 struct HidLink {
     jobs::Mailbox<HandInput> input;   // I/O thread to haptic thread
     jobs::Mailbox<ForceOrder> force;  // haptic thread to I/O thread
     jobs::Mailbox<HidStatus> status;  // I/O thread to main thread
-    // Watchdog to I/O thread: how often it asked for no force, because the haptic thread stands still.
+    // Watchdog to I/O thread: how often it asked for zero force because the haptic thread hangs.
     std::atomic<std::uint32_t> silences{0};
 };
 
@@ -47,11 +48,11 @@ struct HidSessionOptions {
     ForceGateLimits force;
 };
 
-// Between two looks at the bus, and at the node of an open device.
+// Poll intervals of the bus, and of an open device's node.
 constexpr std::int64_t kSearchIntervalNs = 1000 * kMs;
 constexpr std::int64_t kPresenceIntervalNs = 100 * kMs;
 constexpr int kReadWaitMs = 4;
-// Drained in one round: hidraw queues 63, and drops the new ones when it is full.
+// The most reports read in one round: hidraw queues 63 and drops new ones when it is full.
 constexpr int kMostReportsARound = 256;
 
 class HidSession final : public jobs::IoWork {
@@ -64,9 +65,11 @@ class HidSession final : public jobs::IoWork {
 
   private:
     void search(std::int64_t now_ns);
-    // Opens it and begins its session: ready, or why not.
+    // Opens the device and starts its driver. Returns ready, or why not.
     [[nodiscard]] HidStatus begin(const HidDeviceInfo& device);
     void exchange(std::int64_t now_ns);
+    // Goes over to the first of them that says something.
+    void hear_rivals(std::int64_t now_ns);
     // False: the device is gone.
     [[nodiscard]] bool hear(std::int64_t now_ns);
     void lose(std::int64_t now_ns);
@@ -80,6 +83,13 @@ class HidSession final : public jobs::IoWork {
     ForceGate gate_;
 
     std::unique_ptr<HidPort> port_;
+    // Other nodes of the kind, heard until the one in use says something: of a receiver's several, the one
+    // that a hand moves is wanted.
+    struct Rival {
+        HidDeviceInfo info;
+        std::unique_ptr<HidPort> port;
+    };
+    std::vector<Rival> rivals_;
     HidStatus status_;
     std::uint64_t heartbeat_ = 0;
     std::uint64_t refreshed_ = 0;

@@ -13,7 +13,7 @@
 namespace onggi::haptics::hid {
 namespace {
 
-// A library of C with a state of its own has one lock for the whole program.
+// hidapi has global state, so one lock serves the whole program.
 jobs::Turnstile& turnstile() {
     static jobs::Turnstile only;
     return only;
@@ -30,8 +30,7 @@ Result<void> start_hidapi() {
     return {};
 }
 
-// Device strings are UTF-16 in the descriptor and wchar_t in hidapi; they go on as UTF-8. What is no
-// character is left out, so that a broken device cannot break a terminal.
+// Device strings are UTF-16 in the descriptor and wchar_t in hidapi.
 std::string utf8_from(const wchar_t* wide) {
     std::string text;
     for (; wide != nullptr && *wide != L'\0'; ++wide) {

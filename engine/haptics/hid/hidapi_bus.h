@@ -1,5 +1,5 @@
-// The real bus: hidapi on Linux's hidraw. I/O threads, or the main thread; hidapi bears one caller at a time
-// for all that is not a report, and gets one: a lock inside.
+// The real bus: hidapi on Linux's hidraw. I/O threads, or the main thread; hidapi allows one caller at a time
+// for everything but reports, so there is a lock inside.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@
 
 namespace onggi::haptics::hid {
 
-// hidapi as a whole: one call at a time for everything that is not a report of an open device (its own
-// rule), and its strings. Only for this folder's users of hidapi.
+// Helpers for this folder's users of hidapi: the lock for everything but the reports of an open device, and
+// string conversion.
 
-// While it lives, nobody else lists, opens or closes.
+// Holds the lock: no other thread lists, opens or closes devices meanwhile.
 class HidapiTurn {
   public:
     HidapiTurn();
@@ -23,12 +23,12 @@ class HidapiTurn {
     jobs::TurnstilePass pass_;
 };
 
-// Harmless when it has been started. Never ended: another thread may be about to use it, and it holds nothing
-// that the end of the program does not give back. Takes its own turn.
+// Starts hidapi; may be called again. hidapi is never shut down: another thread may still use it, and the end
+// of the program frees its resources. Takes the lock itself.
 Result<void> start_hidapi();
 
-// hidapi's wide strings as UTF-8; null is empty. What is no character, or would spoil a terminal, is left
-// out.
+// Converts hidapi's wide strings to UTF-8; null becomes empty. Drops invalid and control characters, which
+// could corrupt a terminal.
 [[nodiscard]] std::string utf8_from(const wchar_t* wide);
 
 [[nodiscard]] std::unique_ptr<HidBus> make_hidapi_bus();

@@ -10,28 +10,28 @@
 namespace onggi::haptics::hid {
 namespace {
 
-// Of a stick that reports changes only, or may: a hand does not hold a 16-bit sensor to the last bit for so
-// long. Its silence until then is a hand that keeps still.
+// How long silence counts as a still hand, for a stick that may report changes only: no hand holds a 16-bit
+// sensor to the last bit for longer.
 constexpr std::int64_t kStillNs = 1000 * kMs;
-// Of a stick that was heard to report all the time.
+// The timeout of a stick that reports all the time.
 constexpr std::int64_t kJoystickSilenceNs = 100 * kMs;
 constexpr int kEffectMs = 500;
-constexpr std::int64_t kRestartNs = 200 * kMs;  // twice within an effect's life
-// hid_write waits for the bus, about 1 ms a report: 250 Hz leaves room for four.
+constexpr std::int64_t kRestartNs = 200 * kMs;  // twice within an effect's duration
+// hid_write waits for the bus, about 1 ms per report: 250 Hz leaves room for four reports.
 constexpr std::int64_t kTellIntervalNs = 4 * kMs;
 constexpr int kLoadTries = 12;
 constexpr int kLoadPauseMs = 5;
 constexpr int kResetPauseMs = 10;
 constexpr double kEast = 0.25;  // +X, in turns
 constexpr double kSouth = 0.5;  // +Y
-// Friction and the like change all the time by nothing that a hand feels: coarse steps save reports.
+// Friction and damping change constantly by imperceptible amounts: coarse steps save reports.
 constexpr double kSteps = 64.0;
 
 double in_steps(double fraction) noexcept {
     return std::round(fraction * kSteps) / kSteps;
 }
 
-// Reports the device has not are empty: nothing to send is no failure.
+// A report that the device lacks is empty; it is skipped without error.
 Result<void> write(HidPort& port, const Report& report) {
     if (report.size == 0) return {};
     return port.write(report.view());
@@ -46,10 +46,10 @@ bool touches(const ForceOrder& order) noexcept {
 DeviceCapabilities PidDriver::capabilities() const {
     // The coarsest stick of the known tables counts from -4096 to 4096.
     constexpr double kCountsOfTravel = 8192.0;
-    // What a constant force closes its loop over. The rate is this driver's own; the delay a report that
-    // waits for the I/O thread, and a write for the bus. Assumed, for no maker tells, and in the tool's mm,
-    // of which a stick moves two in one of its own: lighter than any grip, with less friction than any belt
-    // or gear.
+    // The loop that a constant force closes. The rate is this driver's; the delay is a report's wait for the
+    // I/O thread plus a write's wait for the bus. Mass and friction are assumed, because no maker states
+    // them: lighter than any grip, with less friction than any belt or gear, in mm of the tool, which moves
+    // two for one of the stick.
     constexpr double kTellsPerS = 250.0;
     constexpr double kBusDelayS = 0.004;
     constexpr double kGripKg = 0.1;
@@ -89,14 +89,17 @@ Result<void> PidDriver::start(const HidDeviceInfo& device, HidPort& port) {
 }
 
 Result<void> PidDriver::begin(HidPort& port) {
-    // Reset twice, as one is lost now and then; stop all before enable, because some devices take "stop all"
-    // for "actuators off".
+    // Reset twice, because one is sometimes lost; "stop all" before "enable", because some devices read "stop
+    // all" as "actuators off".
     for (const PidUsage control : {PidUsage::kReset, PidUsage::kReset, PidUsage::kStopAll}) {
-        if (auto sent = write(port, device_control(*layout_, control)); !sent) return sent;
+        // A reset may be refused: the effects are set anew in any case.
+        if (auto sent = write(port, device_control(*layout_, control));
+            !sent && control == PidUsage::kStopAll)
+            return sent;
         port.pause_ms(kResetPauseMs);
     }
     if (auto sent = write(port, device_control(*layout_, PidUsage::kEnableActuators)); !sent) return sent;
-    if (auto sent = write(port, device_gain(*layout_, 1.0)); !sent) return sent;
+    (void)write(port, device_gain(*layout_, 1.0));  // without it the device has its own, which is no more
 
     struct Request {
         PidUsage type;
@@ -115,7 +118,8 @@ Result<void> PidDriver::begin(HidPort& port) {
                             : layout_->has_effect(request.type) && layout_->place(PidUsage::kSetCondition);
         if (!is_possible) continue;
         auto loaded = load(port, request.type, request.axis);
-        if (!loaded) return loaded.error();
+        if (!loaded && request.is_needed) return loaded.error();
+        if (!loaded) continue;
         if (*loaded) {
             effects_.push_back(**loaded);
         } else if (request.is_needed) {
@@ -134,7 +138,7 @@ bool PidDriver::can_show_a_wall() const noexcept {
     const auto has = [&](PidUsage field) {
         return static_cast<bool>(layout_->element(PidUsage::kSetCondition, usage(field)));
     };
-    // One-sided: it needs both coefficients. Limited: a saturation, or the device's spring knows no limit.
+    // A one-sided spring needs both coefficients, and a saturation to limit its force.
     return layout_->has_effect(PidUsage::kSpringType) && has(PidUsage::kBlockIndex) &&
            has(PidUsage::kCentre) && has(PidUsage::kParameterBlockOffset) &&
            has(PidUsage::kPositiveCoefficient) && has(PidUsage::kNegativeCoefficient) &&
@@ -161,8 +165,8 @@ Result<std::optional<PidDriver::Effect>> PidDriver::load(HidPort& port, PidUsage
 
     Effect effect{.type = type, .axis = axis, .block = answer.block};
     const bool is_condition = type != PidUsage::kConstantForceType;
-    // A condition gets both axes, the idle one with nothing: a device that would turn a single condition into
-    // the effect's direction then has nothing to turn.
+    // A condition sets both axes, the unused one to zero: some devices rotate a single condition into the
+    // effect's direction.
     const PidEffect settings{.block = effect.block,
                              .type = type,
                              .duration_ms = kEffectMs,
@@ -207,14 +211,13 @@ PidCondition PidDriver::wall_condition(const ForceOrder& order) const noexcept {
     PidCondition condition{.saturation = fraction_of_force(mapping_.peak_n)};
     const ToolReach& reach = mapping_.reach;
     const double middle_mm = (reach.most_radius_mm + reach.least_radius_mm) / 2.0;
-    // A coefficient of 1 gives full scale one unit beyond the centre.
+    // A coefficient of 1 reaches full scale one unit beyond the centre.
     const double asked = order.work.stiffness_n_per_mm;
     const double stiffness = asked > 0.0 ? std::min(asked, stiffest_n_per_mm()) : stiffest_n_per_mm();
     const auto wall = local_wall(order, stiffness);
     if (!wall) return condition;
     condition.centre = std::clamp((wall->contact_mm - middle_mm) / mm_per_unit(), -1.0, 1.0);
-    // Work outside pushes outwards on what lies before the contact; seen from inside the other way
-    // round.
+    // A tool outside is pushed outwards before the contact radius; a tool inside is pushed the other way.
     (wall->is_outside ? condition.negative_coefficient : condition.positive_coefficient) =
         stiffness * mm_per_unit() / mapping_.full_scale_n;
     return condition;
@@ -243,8 +246,8 @@ Result<void> PidDriver::tell(HidPort& port, Effect& effect, const ForceOrder& or
             return send_once(effect.told_y,
                              set_condition(*layout_, effect.block, Axis::kY, {.saturation = limit}));
         default: {
-            // The damper adds to the rest, against the motion only: it gets a quarter. Friction is part of
-            // the force that was ordered.
+            // The damper adds to the other effects, against the motion only: it gets a quarter. Friction is
+            // part of the ordered force.
             const bool is_damper = effect.type == PidUsage::kDamperType;
             const double friction = in_steps(fraction_of_force(std::abs(order.tangential_n)));
             const double fraction = is_damper ? (touches(order) ? mapping_.damping_fraction : 0.0) : friction;
@@ -266,8 +269,8 @@ Result<void> PidDriver::send(HidPort& port, const ForceOrder& order, std::int64_
     last_told_ns_ = now_ns;
     if (!is_started_) last_start_ns_ = now_ns;
     is_started_ = true;
-    // The loop is dead: nothing the device still runs by itself may be felt. Should it come back, the effects
-    // are started again, some devices' actuators first; they have been told of no force.
+    // The loop is dead: stop all effects that the device still runs. If the loop recovers, the effects
+    // restart with zero force, after the actuators on some devices.
     if (order.is_starved) {
         if (is_stopped_) return {};
         is_stopped_ = true;
@@ -282,8 +285,7 @@ Result<void> PidDriver::send(HidPort& port, const ForceOrder& order, std::int64_
         if (auto sent = write(port, device_control(*layout_, PidUsage::kEnableActuators)); !sent) return sent;
         return start_effects(port);
     }
-    // An emergency stop at the device, or actuators that it switched off: it gets no force until it is let
-    // go.
+    // The device's emergency stop is pressed or its actuators are off: zero force until both are released.
     const bool is_held = !device_state_.safety_switch_on || !device_state_.actuators_enabled;
     const ForceOrder allowed = is_held ? ForceOrder{.tool_mm = order.tool_mm} : order;
     for (Effect& effect : effects_) {
@@ -304,7 +306,7 @@ Result<void> PidDriver::start_effects(HidPort& port) {
 
 void PidDriver::stop(HidPort& port) noexcept {
     if (!layout_) return;
-    // Each is tried whatever became of the one before; the effects end by themselves anyway.
+    // Try every step even if one fails; the effects end by themselves anyway.
     (void)write(port, device_control(*layout_, PidUsage::kStopAll));
     for (const Effect& effect : effects_)
         (void)write(port, block_free(*layout_, effect.block));

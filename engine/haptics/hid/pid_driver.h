@@ -1,12 +1,12 @@
 // Driver of force-feedback joysticks (USB PID 1.0). I/O thread. The stick holds the tool: X is the radius,
-// pulling towards the hand lowers it. The work's radial force is a one-sided spring that the device itself
-// runs (a wall that does not depend on how fast USB is); the vertical one a constant force; damper and
-// friction, where the device has them, act while the tool touches. Without springs the radial force is a
-// constant one too. A constant force closes a loop over USB, told every 4 ms: the work's stiffness on such an
-// axis is bound to what is stable there (game/haptic/device_force.h).
+// pulling towards the hand lowers the tool. The work's radial force is a one-sided spring that the device
+// itself renders, independent of USB's speed; the vertical force is a constant-force effect; damper and
+// friction, if the device has them, act during contact. Without springs the radial force is a constant-force
+// effect too. A constant force closes a loop over USB, updated every 4 ms, so the stiffness on such an axis
+// is limited to what is stable there (game/haptic/device_force.h).
 //
-// Every effect ends by itself after half a second and is started again in time: when this program dies, so
-// does the force. Never tried on hardware by this project.
+// Every effect ends by itself after half a second and is restarted in time: when this program dies, the force
+// ends. Never tried on hardware by this project.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +21,16 @@
 
 namespace onggi::haptics::hid {
 
-// Whether a device reports all the time or only what has changed, found out by its own reports. Nothing in a
-// descriptor tells it, and it decides what a silence means: a still hand, or a device that has fallen mute.
-// One thread at a time; no allocation.
+// Finds out from a device's reports whether it reports all the time or only changes. No descriptor says so,
+// and it decides what silence means: a still hand, or a failed device. One thread at a time; no allocation.
 //
-// Who says the same twice running does not wait for a change: it reports all the time, and its silence is a
-// lack. Who goes on after a long silence is one that may be silent: some firmwares say a last word or two
-// and then rest. Until something is known a silence is taken for a still hand, which its driver bounds.
+// A device that sends the same report twice in a row reports all the time, and its silence is a failure. A
+// device that reports again after a long silence reports only changes: some firmwares repeat the last report
+// once or twice and then rest. Until either is known, silence counts as a still hand, for a time that the
+// driver limits.
 class ReportHabit {
   public:
-    // Every report of where the hand is.
+    // Call with every report of the hand's position.
     void take(std::span<const std::uint8_t> report) noexcept {
         Report now;
         now.size = std::min(report.size(), now.bytes.size());
@@ -41,13 +41,14 @@ class ReportHabit {
         was_heard_ = true;
         silent_rounds_ = 0;
     }
-    // Every round of the I/O thread: only rounds that listened count, not one that the kernel kept waiting.
+    // Call in every round of the I/O thread: silence is counted in rounds that read the device, so a delayed
+    // thread is no silence.
     void round() noexcept { silent_rounds_ = std::min(silent_rounds_ + 1, kLongRounds); }
 
     [[nodiscard]] bool reports_all_the_time() const noexcept { return repeats_ && !rests_; }
 
   private:
-    // A tenth of a second: each listens for 4 ms.
+    // A tenth of a second: each round waits 4 ms for a report.
     static constexpr int kLongRounds = 25;
 
     Report last_;
@@ -59,15 +60,15 @@ class ReportHabit {
 
 struct PidMapping {
     ToolReach reach;  // the stick's travel spans it
-    // The force at the hand of a full magnitude. PID tells shares, never newtons, and a stick's maker tells
-    // them seldom: taken too small here, the hand would get too much. So an unmeasured stick counts as
-    // stronger than any known one, and feels weak until somebody holds a spring balance to it.
+    // The force at the hand at full magnitude. PID has fractions, not newtons, and makers seldom state the
+    // force; if this value is too small, the hand gets too much. So an unmeasured stick counts as stronger
+    // than any known one, and feels weak until its force is measured with a spring balance.
     double full_scale_n = 50.0;
-    double peak_n = kKioskPeakForceN;  // what it may be asked for
-    double stiffness_n_per_mm = 0.5;   // of the wall it shows by itself
+    double peak_n = kKioskPeakForceN;  // the largest force to request
+    double stiffness_n_per_mm = 0.5;   // of the spring that the device renders
     double damping_fraction = 0.1;     // of its full damper, while in contact
-    // 1 or -1 for constant forces: makers do not agree on the sense of a direction. A wrong one pulls the
-    // tool into the work instead of pushing it out.
+    // 1 or -1 for constant forces: makers disagree on the sign of a direction. With the wrong sign the force
+    // pulls the tool into the work.
     double radius_sign = 1.0;
     double height_sign = 1.0;
 };
@@ -77,7 +78,7 @@ class PidDriver final : public HidDriver {
     explicit PidDriver(const PidMapping& mapping = {}) : mapping_(mapping) {}
 
     [[nodiscard]] DeviceCapabilities capabilities() const override;
-    // Reset, actuators on, then each effect: created, loaded, set, started with no force.
+    // Resets the device, enables actuators, then creates, loads, sets and starts each effect with zero force.
     Result<void> start(const HidDeviceInfo& device, HidPort& port) override;
     void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept override;
     [[nodiscard]] HandInput input(std::int64_t now_ns) const noexcept override;
@@ -85,7 +86,7 @@ class PidDriver final : public HidDriver {
     void stop(HidPort& port) noexcept override;
 
   private:
-    // One effect in the device, and what it was told last: equal reports are not sent twice.
+    // One effect in the device, and the reports last sent: equal reports are not sent twice.
     struct Effect {
         PidUsage type = PidUsage::kConstantForceType;
         Axis axis = Axis::kX;  // of a constant force
@@ -95,7 +96,7 @@ class PidDriver final : public HidDriver {
     };
 
     Result<void> begin(HidPort& port);
-    // None: the device has no room for it.
+    // Empty: the device has no room for it.
     Result<std::optional<Effect>> load(HidPort& port, PidUsage type, Axis axis);
     [[nodiscard]] bool can_show_a_wall() const noexcept;
     Result<void> start_effects(HidPort& port);
@@ -105,7 +106,7 @@ class PidDriver final : public HidDriver {
     [[nodiscard]] double mm_per_unit() const noexcept {
         return (mapping_.reach.most_radius_mm - mapping_.reach.least_radius_mm) / 2.0;
     }
-    // Of the wall it shows at the most: a weak stick cannot be as stiff as wanted.
+    // The largest stiffness of the device's spring: a weak stick cannot be as stiff as wanted.
     [[nodiscard]] double stiffest_n_per_mm() const noexcept {
         return std::min(mapping_.stiffness_n_per_mm, mapping_.full_scale_n / mm_per_unit());
     }

@@ -1,9 +1,8 @@
-// Where a force-feedback joystick keeps what it is told: the reports and fields of USB's Physical Interface
-// Device class, found by their usages, never by report numbers, because no two makers agree on those. Pure;
-// any thread.
-// Source: "Device Class Definition for Physical Interface Devices" 1.0 (USB Implementers' Forum), usage page
-// 0x0F; the usages are those that Linux's hid-pidff reads. Several firmwares leave fields out: what a force
-// cannot do without is required, all else is optional.
+// The output reports and fields of a force-feedback joystick (USB Physical Interface Device class), found by
+// their usages, not by report numbers, which differ between makers. Pure; any thread. Source: "Device Class
+// Definition for Physical Interface Devices" 1.0 (USB Implementers' Forum), usage page 0x0F; the usages are
+// those that Linux's hid-pidff reads. Several firmwares leave fields out: only the fields that a force needs
+// are required.
 #pragma once
 
 #include <array>
@@ -54,6 +53,7 @@ enum class PidUsage : std::uint16_t {
     kBlockFree = 0x90,
     kState = 0x92,
     kDeviceControlReport = 0x95,
+    kDeviceControlList = 0x96,
     kEnableActuators = 0x97,
     kDisableActuators = 0x98,
     kStopAll = 0x99,
@@ -66,9 +66,10 @@ constexpr Usage usage(PidUsage id) {
     return usage(0x0f, static_cast<std::uint16_t>(id));
 }
 
-// Of the page Generic Desktop.
+// Usages of the page Generic Desktop.
 constexpr Usage kUsageX = usage(0x01, 0x30);
 constexpr Usage kUsageY = usage(0x01, 0x31);
+constexpr Usage kUsageZ = usage(0x01, 0x32);
 
 enum class Axis : std::uint8_t { kX, kY };
 constexpr std::array<Axis, 2> kBothAxes{Axis::kX, Axis::kY};
@@ -83,26 +84,30 @@ struct ReportPlace {
 
 class PidLayout {
   public:
-    // Errors (bad input) name what is missing or does not fit: a joystick that takes no forces, or one of a
-    // kind this driver does not know. A 64-byte report is the longest.
+    // Error: bad input, naming the missing or unusable field, for a joystick without force feedback or of an
+    // unknown kind. Reports are at most 64 bytes long.
     static Result<PidLayout> find(ReportDescriptor descriptor);
 
     [[nodiscard]] bool has_effect(PidUsage type) const noexcept;
-    // The element of a report that means `wanted`; none where the device leaves it out.
+    // The element of a report with the usage `wanted`; empty if the device lacks it.
     [[nodiscard]] Element element(PidUsage report, Usage wanted) const noexcept;
     [[nodiscard]] ReportPlace place(PidUsage report) const noexcept;
-    [[nodiscard]] Element axis(Axis axis) const noexcept;  // input: where the stick is
+    [[nodiscard]] Element axis(Axis axis) const noexcept;  // input: the stick's position
     [[nodiscard]] const ReportDescriptor& descriptor() const noexcept { return descriptor_; }
 
   private:
     explicit PidLayout(ReportDescriptor descriptor) : descriptor_(std::move(descriptor)) {}
     static ReportKind kind_of(PidUsage report) noexcept;
+    [[nodiscard]] Usage collection_of(PidUsage report) const noexcept;
 
     ReportDescriptor descriptor_;
+    // Several firmwares name the list alone, without the report around it: Linux's hid-pidff looks for no
+    // more.
+    PidUsage device_control_ = PidUsage::kDeviceControlReport;
 };
 
-// The stick as its reports tell it: -1 to 1, X to the right, Y towards the hand, as the HID usage tables have
-// it; buttons from bit 0.
+// The stick's state from its reports: -1 to 1, X to the right, Y towards the hand, as the HID usage tables
+// have it; buttons from bit 0.
 struct StickState {
     dvec2 deflection{0.0};
     std::uint32_t buttons = 0;
@@ -111,9 +116,9 @@ struct StickState {
 bool take_stick_report(const PidLayout& layout, std::span<const std::uint8_t> report,
                        StickState& state) noexcept;
 
-// What the device says of itself in a PID State report; none where a report is none.
+// The device's status from a PID State report; empty for any other report.
 struct PidDeviceState {
-    bool actuators_enabled = true;  // a device that does not say is taken to be on
+    bool actuators_enabled = true;  // assumed on if the device does not say
     bool safety_switch_on = true;   // off: somebody pressed the emergency stop
 };
 [[nodiscard]] std::optional<PidDeviceState> pid_device_state(const PidLayout& layout,

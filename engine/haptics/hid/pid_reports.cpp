@@ -21,15 +21,15 @@ class Filler {
 
     [[nodiscard]] Element element(Usage wanted) const noexcept { return layout_.element(kind_, wanted); }
 
-    // What the device leaves out stays out.
+    // Skips an element that the device lacks.
     void put(Element element, std::int64_t value) noexcept {
-        // A usage may stand in another report of the same collection; only this one is filled.
+        // The usage may belong to another report of the same collection; only this report is filled.
         if (!element || report_.size < 2 || element.field->report_id != report_.bytes[0]) return;
         write_element(std::span(report_.bytes).subspan(1, report_.size - 1), element, value);
     }
     void put(PidUsage wanted, std::int64_t value) noexcept { put(element(usage(wanted)), value); }
 
-    // An array gets the usage's place in its list; a field of its own gets 1.
+    // An array gets the usage's index in its list; a separate field gets 1.
     void choose(PidUsage chosen) noexcept {
         const Element field = element(usage(chosen));
         if (!field) return;
@@ -113,7 +113,7 @@ Report set_effect(const PidLayout& layout, const PidEffect& effect) noexcept {
 Report set_condition(const PidLayout& layout, std::uint8_t block, Axis axis,
                      const PidCondition& condition) noexcept {
     Filler filler(layout, PidUsage::kSetCondition);
-    // Without an offset every condition would be the first one's.
+    // Without an offset field, Y's condition would overwrite X's.
     if (axis == Axis::kY && !filler.element(usage(PidUsage::kParameterBlockOffset))) return {};
     filler.put(PidUsage::kBlockIndex, block);
     filler.put(PidUsage::kParameterBlockOffset, axis == Axis::kX ? 0 : 1);

@@ -1,6 +1,6 @@
-// What a force-feedback joystick is told, as the bytes of its reports. Pure; any thread; one report a call,
-// no allocation. A report the device has not is empty, and is not to be sent. Source: PID 1.0 (pid_layout.h).
-// Numbers go from shares of full scale to whatever range the field declares.
+// Builds the output reports of a force-feedback joystick. Pure; any thread; one report per call, no
+// allocation. A report that the device lacks is empty and must not be sent. Source: PID 1.0 (pid_layout.h).
+// Values are fractions of full scale, converted to the field's declared range.
 #pragma once
 
 #include <optional>
@@ -14,21 +14,21 @@ constexpr std::int64_t kLoopForever = 255;  // "infinite" in an 8-bit loop count
 
 // The common part of every effect.
 struct PidEffect {
-    std::uint8_t block = 0;  // as Block Load told it
+    std::uint8_t block = 0;  // from Block Load
     PidUsage type = PidUsage::kConstantForceType;
     int duration_ms = 0;
     double gain = 1.0;  // fraction of full
     bool acts_on_x = false;
     bool acts_on_y = false;
     // In turns clockwise from north (PID 1.0, direction): 0.25 is east, +X; 0.5 south, +Y towards the hand.
-    // Makers do not agree whether a force comes from there or goes there: a sign to be found out for each
+    // Makers disagree whether a force comes from there or goes there, so the sign must be found for each
     // device.
     double direction_turns = 0.0;
 };
 
-// One axis of a spring, damper or friction: forces and places as shares of full scale.
-// Force = -clip(coefficient (place - centre -+ dead band)), the coefficient and saturation of the side on
-// which the stick is; places from -1 to 1.
+// One axis of a spring, damper or friction; forces and positions are fractions of full scale. Force =
+// -clip(coefficient (place - centre -+ dead band)), the coefficient and saturation of the side on which the
+// stick is; places from -1 to 1.
 struct PidCondition {
     double centre = 0.0;                // -1 to 1
     double positive_coefficient = 0.0;  // -1 to 1, beyond the centre
@@ -39,7 +39,7 @@ struct PidCondition {
 [[nodiscard]] Report create_effect(const PidLayout& layout, PidUsage type) noexcept;
 [[nodiscard]] Report block_load_request(const PidLayout& layout) noexcept;
 [[nodiscard]] Report set_effect(const PidLayout& layout, const PidEffect& effect) noexcept;
-// Empty for Y where the device cannot tell the axes apart.
+// Empty for Y if the device has one condition for both axes.
 [[nodiscard]] Report set_condition(const PidLayout& layout, std::uint8_t block, Axis axis,
                                    const PidCondition& condition) noexcept;
 // magnitude: -1 to 1 of full scale.
@@ -49,8 +49,8 @@ struct PidCondition {
 [[nodiscard]] Report effect_operation(const PidLayout& layout, std::uint8_t block, PidUsage operation,
                                       std::int64_t loops) noexcept;
 [[nodiscard]] Report block_free(const PidLayout& layout, std::uint8_t block) noexcept;
-// control: kEnableActuators, kDisableActuators, kStopAll or kReset; an array or one bit each, as the device
-// has it.
+// control: kEnableActuators, kDisableActuators, kStopAll or kReset; an array or one bit each, depending on
+// the device.
 [[nodiscard]] Report device_control(const PidLayout& layout, PidUsage control) noexcept;
 [[nodiscard]] Report device_gain(const PidLayout& layout, double fraction) noexcept;
 
@@ -59,7 +59,7 @@ struct BlockLoad {
     std::uint8_t block = 0;
     Status status = Status::kUnknown;  // unknown: not ready yet, ask again
 };
-// None: the answer is cut short or another report.
+// Empty: the answer is too short or another report.
 [[nodiscard]] std::optional<BlockLoad> block_load(const PidLayout& layout,
                                                   std::span<const std::uint8_t> report) noexcept;
 

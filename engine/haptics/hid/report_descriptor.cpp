@@ -49,14 +49,14 @@ struct Item {
 struct Globals {
     std::uint16_t usage_page = 0;
     std::int64_t logical_min = 0;
-    std::int64_t logical_max = 0;           // as a signed number
-    std::int64_t logical_max_unsigned = 0;  // the same bytes as an unsigned one
+    std::int64_t logical_max = 0;           // read as signed
+    std::int64_t logical_max_unsigned = 0;  // the same bytes read as unsigned
     std::uint32_t report_size = 0;
     std::uint32_t report_count = 0;
     std::uint8_t report_id = 0;
 };
 
-// A usage as a Local item gives it: with its own page, or with that in force at the Main item.
+// A usage from a Local item: with its own page, or with the page current at the Main item.
 struct LocalUsage {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
@@ -68,8 +68,7 @@ struct Locals {
     std::optional<LocalUsage> minimum;
     std::optional<LocalUsage> maximum;
     bool inside_delimiter = false;
-    bool has_alternative =
-        false;  // of the usages between delimiters the first is the preferred one (6.2.2.8)
+    bool has_alternative = false;  // the first usage between delimiters is the preferred one (6.2.2.8)
 };
 
 }  // namespace
@@ -86,7 +85,7 @@ class DescriptorReader {
         while (at < bytes.size()) {
             const std::uint8_t prefix = bytes[at];
             if (prefix == kLongItem) {
-                // Reserved by 6.2.2.3; its second byte says how much to pass over.
+                // Reserved by 6.2.2.3; its second byte is the number of bytes to skip.
                 const std::size_t size = at + 1 < bytes.size() ? std::size_t{3} + bytes[at + 1] : 3;
                 if (bytes.size() - at < size) return refusal(at, "a whole long item", "the end");
                 at += size;
@@ -176,7 +175,7 @@ class DescriptorReader {
                 pushed_.pop_back();
                 return {};
             default:
-                return {};  // physical limits, units, designators, strings, reserved tags: of no use here
+                return {};  // physical limits, units, designators, strings, reserved tags: not used here
         }
     }
 
@@ -200,13 +199,14 @@ class DescriptorReader {
                  .has_page = locals_.minimum->has_page};
         locals_.minimum.reset();
         locals_.maximum.reset();
-        // A maximum may carry its page or leave it to the minimum.
+        // A maximum may omit its page and take the minimum's.
         if (local.has_page && (local.last >> 16U) == 0) local.last |= local.first & 0xffff0000U;
         if (!local.has_page) local.last &= 0xffffU;
         if (local.last < local.first || (local.last >> 16U) != (local.first >> 16U))
             return refusal(item.offset, "a usage maximum at or above its minimum on the same page",
                            fmt::format("{:#x} to {:#x}", local.first, local.last));
-        locals_.usages.push_back(local);  // a range stays a range: bounded by the descriptor's length
+        locals_.usages.push_back(
+            local);  // ranges are not expanded, so memory is bounded by the descriptor's length
         return {};
     }
 
@@ -244,7 +244,7 @@ class DescriptorReader {
         const std::uint32_t bit_offset = length->bits;
         length->bits += static_cast<std::uint32_t>(bits);
 
-        // Padding, and what is too wide to be a number, only takes its place.
+        // Padding, and a field too wide for a number, only advances the offset.
         if ((item.value & kConstant) != 0 || globals_.report_size > 32 || bits == 0) return {};
         if (result_.fields_.size() == kMaxFields)
             return refusal(item.offset, fmt::format("at most {} fields", kMaxFields), "one more");
@@ -291,7 +291,7 @@ std::size_t ReportDescriptor::report_bytes(ReportKind kind, std::uint8_t id) con
 }
 
 bool ReportDescriptor::is_inside(int collection, Usage outer) const noexcept {
-    // A parent is always older than its child: this ends.
+    // A parent's index is always lower than its child's, so this ends.
     for (; collection >= 0; collection = collections_[static_cast<std::size_t>(collection)].parent) {
         if (collections_[static_cast<std::size_t>(collection)].usage == outer) return true;
     }
@@ -337,7 +337,7 @@ Usage usage_for_array_value(const Field& field, std::int64_t value) noexcept {
 
 namespace {
 
-// Where an element lies; none where it leaves the data.
+// The bit offset of an element; empty if it exceeds the data.
 std::optional<std::size_t> first_bit(std::size_t data_bytes, Element element) noexcept {
     if (!element || element.index >= element.field->count) return std::nullopt;
     const std::size_t first =
@@ -365,7 +365,7 @@ void write_element(std::span<std::uint8_t> data, Element element, std::int64_t v
     const auto first = first_bit(data.size(), element);
     if (!first) return;
     value = std::clamp(value, element.field->logical_min, element.field->logical_max);
-    // A descriptor may promise more than its bits hold; a wrapped value would turn a force around.
+    // A declared range may exceed the field's bits; a wrapped value would reverse a force.
     const auto bits = element.field->bit_size;
     const bool is_signed = element.field->is_signed();
     const std::int64_t most = (std::int64_t{1} << (is_signed ? bits - 1 : bits)) - 1;

@@ -1,6 +1,6 @@
-// What a HID device says about its reports: the report descriptor, read into a list of fields. Pure; any
-// thread; allocates in proportion to the descriptor, which is at most 4096 bytes.
-// Source: "Device Class Definition for HID" 1.11, sections 5 and 6.2.2 (USB Implementers' Forum).
+// Parses a HID report descriptor into a list of fields. Pure; any thread; allocates in proportion to the
+// descriptor, which is at most 4096 bytes. Source: "Device Class Definition for HID" 1.11, sections 5 and
+// 6.2.2 (USB Implementers' Forum).
 #pragma once
 
 #include <cstddef>
@@ -29,18 +29,19 @@ struct UsageRange {
 // One Main item: `count` elements of `bit_size` bits, one after the other.
 struct Field {
     ReportKind kind = ReportKind::kInput;
-    std::uint8_t report_id = 0;    // 0: the device numbers no reports
+    std::uint8_t report_id = 0;    // 0: reports are not numbered
     std::uint32_t bit_offset = 0;  // of the first element, in the report's data, after the id byte if any
     std::uint32_t bit_size = 0;    // of one element, 1 to 32
     std::uint32_t count = 0;
-    // What a value may be. Descriptors write 0..65535 as a negative 16-bit maximum now and then: where the
-    // minimum is not negative, the maximum is read as unsigned.
+    // The range of values. Some descriptors write 0..65535 with a negative 16-bit maximum: if the minimum is
+    // not negative, the maximum is read as unsigned.
     std::int64_t logical_min = 0;
     std::int64_t logical_max = 0;
-    bool is_array = false;  // an element's value tells which usage (6.2.2.5); otherwise an element is a usage
+    bool is_array =
+        false;  // an element's value selects a usage (6.2.2.5); otherwise each element has its own usage
     bool is_relative = false;  // change since the last report
     std::vector<UsageRange> usages;
-    int collection = -1;  // the innermost; index into ReportDescriptor::collections(), -1: none
+    int collection = -1;  // index of the innermost in ReportDescriptor::collections(); -1: outside any
 
     // Two's complement, or plain binary (6.2.2.7: signed if a limit is negative).
     [[nodiscard]] bool is_signed() const noexcept { return logical_min < 0; }
@@ -61,7 +62,7 @@ struct Collection {
 };
 
 // Bounds, each far above what real devices need; beyond one the descriptor is refused.
-constexpr std::size_t kMaxDescriptorBytes = 4096;  // what the Linux kernel takes
+constexpr std::size_t kMaxDescriptorBytes = 4096;  // the Linux kernel's limit
 constexpr std::size_t kMaxCollectionDepth = 32;
 constexpr std::size_t kMaxPushDepth = 16;
 constexpr std::size_t kMaxFields = 2048;
@@ -69,8 +70,8 @@ constexpr std::uint32_t kMaxReportBits = 8 * 4096;
 
 class ReportDescriptor {
   public:
-    // Errors (bad input) name the offset of the item: an item that is cut off, a stack that over- or
-    // underflows, a report size, count or id out of bounds, a collection left open.
+    // Errors (bad input) name the offset of the item: a truncated item, a stack that over- or underflows, a
+    // report size, count or id out of bounds, an unclosed collection.
     static Result<ReportDescriptor> parse(std::span<const std::uint8_t> bytes);
 
     [[nodiscard]] const std::vector<Field>& fields() const noexcept { return fields_; }
@@ -81,9 +82,8 @@ class ReportDescriptor {
     // 0: there is no such report.
     [[nodiscard]] std::size_t report_bytes(ReportKind kind, std::uint8_t id) const noexcept;
 
-    // The first element that means `wanted`, of fields somewhere inside a collection of usage `inside`
-    // (0: anywhere). In an array no element means a usage by itself: its first element is given when the
-    // usage is among those it can tell.
+    // The first element with the usage `wanted` in a field inside a collection of usage `inside` (0:
+    // anywhere). For an array that can select the usage, returns the array's first element.
     [[nodiscard]] Element find(ReportKind kind, Usage inside, Usage wanted) const noexcept;
     [[nodiscard]] bool is_inside(int collection, Usage outer) const noexcept;
 
@@ -101,16 +101,16 @@ class ReportDescriptor {
     bool numbers_reports_ = false;
 };
 
-// An array's value for a usage: its 1-based place in the list shifted to the logical minimum, that is
-// logical_min + place (6.2.2.5). None where the list lacks it.
+// An array's value for a usage: logical_min + the usage's index, from 0, in the list (6.2.2.5). Empty if the
+// list lacks it.
 [[nodiscard]] std::optional<std::int64_t> array_value_for(const Field& field, Usage wanted) noexcept;
-// The other way round; 0 for a value that tells no usage.
+// The inverse; 0 for a value that selects no usage.
 [[nodiscard]] Usage usage_for_array_value(const Field& field, std::int64_t value) noexcept;
 
-// The value of an element in a report's data (without the id byte). None where the report is too short.
+// The value of an element in a report's data (without the id byte). Empty if the report is too short.
 [[nodiscard]] std::optional<std::int64_t> read_element(std::span<const std::uint8_t> data,
                                                        Element element) noexcept;
-// Puts a value, held within the logical limits, into a report's data. Does nothing where it would not fit.
+// Writes a value, clamped to the logical limits, into a report's data. Does nothing if it does not fit.
 void write_element(std::span<std::uint8_t> data, Element element, std::int64_t value) noexcept;
 
 }  // namespace onggi::haptics::hid

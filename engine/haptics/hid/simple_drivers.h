@@ -1,4 +1,4 @@
-// Drivers of the devices that only speak: SpaceMouse and foot pedal. I/O thread. Never tried on hardware by
+// Drivers of the devices without force: SpaceMouse and foot pedal. I/O thread. Never tried on hardware by
 // this project.
 #pragma once
 
@@ -23,7 +23,7 @@ struct VecPedalState {
     [[nodiscard]] bool any() const noexcept { return left || middle || right; }
 };
 
-// The report has no id: 2 bytes, byte 0 the pedals in bits 0 to 2, byte 1 zero. None: not such a report.
+// The report has no id: 2 bytes, byte 0 the pedals in bits 0 to 2, byte 1 zero. Empty for any other report.
 [[nodiscard]] inline std::optional<VecPedalState> vec_pedal_state(
     std::span<const std::uint8_t> report) noexcept {
     if (report.size() != 2 || (report[0] & 0xf8U) != 0 || report[1] != 0) return std::nullopt;
@@ -41,15 +41,15 @@ struct SpaceMouseState {
     std::array<std::int16_t, 3> translation{};  // X, Y, Z
     std::array<std::int16_t, 3> rotation{};     // Rx, Ry, Rz
     std::uint32_t buttons = 0;                  // bit 0 is button 1
-    int battery_percent = -1;                   // -1: it did not say
+    int battery_percent = -1;                   // -1: not reported
 
     [[nodiscard]] bool at_rest() const noexcept {
         return translation == std::array<std::int16_t, 3>{} && rotation == std::array<std::int16_t, 3>{};
     }
 };
 
-// Takes one report into the state. Whether report 1 carries the rotation too is told by its length, not by
-// the model: receivers and firmware decide. False: not a report of this device; the state is as before.
+// Updates the state from one report. The length of report 1, not the model, says whether it includes the
+// rotation. Returns false for any other report; the state is unchanged.
 //   id 1, 7 bytes: X Y Z;  id 2, 7 bytes: Rx Ry Rz;  id 1, 13 bytes: X Y Z Rx Ry Rz; all int16, low byte
 //   first id 3, 2 to 5 bytes and more: buttons from byte 1, bit 0;  id 0x17, 3 bytes: byte 1 the battery in
 //   percent
@@ -60,21 +60,20 @@ bool take_space_mouse_report(std::span<const std::uint8_t> report, SpaceMouseSta
 
 // Rate control: push sideways to move the tool out and in, down to lower it.
 struct SpaceMouseMapping {
-    double full_scale = 350.0;  // of the descriptor's logical range; more is held to it
+    double full_scale = 350.0;  // of the descriptor's logical range; larger values are clamped
     double dead_band = 15.0;
     double fastest_mm_s = 150.0;
-    double fastest_change_rev_min_s = 80.0;  // of the wheel, twisted all the way
+    double fastest_change_rev_min_s = 80.0;  // of the wheel, at full twist
 };
 
-// An axis as -1 to 1: zero within the dead band, then growing from zero by the third power, so that a light
-// push moves finely.
+// Maps an axis to -1 to 1: zero within the dead band, then cubic, so that a light push moves finely.
 [[nodiscard]] double shaped_axis(std::int16_t value, const SpaceMouseMapping& mapping) noexcept;
 // Radius and height, mm/s: X right is outwards, Z down is down.
 [[nodiscard]] dvec2 space_mouse_rate_mm_s(const SpaceMouseState& state,
                                           const SpaceMouseMapping& mapping) noexcept;
 
 // Push to move the tool (rate control); button 1 starts and stops the wheel, a twist changes its speed; the
-// lamp burns while it is heard.
+// lamp is on while the device is in use.
 class SpaceMouseDriver final : public HidDriver {
   public:
     explicit SpaceMouseDriver(const SpaceMouseMapping& mapping = {}) : mapping_(mapping) {}
@@ -93,7 +92,7 @@ class SpaceMouseDriver final : public HidDriver {
     std::int64_t heard_ns_ = 0;
 };
 
-// Any pedal down turns the wheel; the right one makes it faster meanwhile, the left one slower.
+// Any pedal turns the wheel; the right one speeds it up while pressed, the left one slows it down.
 class VecPedalDriver final : public HidDriver {
   public:
     [[nodiscard]] DeviceCapabilities capabilities() const override;

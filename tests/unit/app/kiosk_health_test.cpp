@@ -1,4 +1,4 @@
-// What is measured of a kiosk, on a virtual clock and a machine made of files.
+// The kiosk's health figures, on a virtual clock and a simulated machine of files.
 #include "game/app/kiosk/health/kiosk_health.h"
 
 #include <gtest/gtest.h>

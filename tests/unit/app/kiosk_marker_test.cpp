@@ -1,4 +1,4 @@
-// The marker that keys move along the clay, and what they ask for there.
+// The marker that keys move along the clay, and the actions of keys there.
 #include "game/app/kiosk/hand/kiosk_marker.h"
 #include "tests/support/millimetre_pot.h"
 

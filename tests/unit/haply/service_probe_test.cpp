@@ -33,7 +33,7 @@ TEST(FindService, SaysThatNothingListens) {
     EXPECT_EQ(found.error().message, fmt::format("nothing listens at 127.0.0.1:{}", port.number()));
 }
 
-TEST(FindService, GivesUpOnWhoeverDoesNotAnswerInTime) {
+TEST(FindService, TimesOutWithoutAnAnswer) {
     // A queue of waiting connections that is full: the kernel lets the next one wait.
     const int listening = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in address{};
@@ -52,7 +52,7 @@ TEST(FindService, GivesUpOnWhoeverDoesNotAnswerInTime) {
     const auto began = std::chrono::steady_clock::now();
     const auto found = find_service({.port = port}, 50);
     ASSERT_FALSE(found);
-    EXPECT_EQ(found.error().message, fmt::format("nobody answers at 127.0.0.1:{} within 50 ms", port));
+    EXPECT_EQ(found.error().message, fmt::format("no answer from 127.0.0.1:{} within 50 ms", port));
     EXPECT_GE(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(45));
     for (const int socket : waiting)
         ::close(socket);
