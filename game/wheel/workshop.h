@@ -23,7 +23,7 @@ void stand_in(ecs::Registry& registry, const Workshop& workshop);
 
 // A room as a glTF model, used while it has no backgrounds: a museum's own room before they are rendered. mm.
 struct RoomModel {
-    std::vector<StillPart> parts;
+    std::vector<StillPart> parts = {};
     bool has_wheel = false;  // a node or mesh is named "wheel"; otherwise the scene adds its own wheel
     std::vector<std::string> left_out = {};  // what of the file is not drawn
 };

@@ -76,7 +76,6 @@ struct FilmMaker::Parts {
     const finish::GlazeMaterial* glaze = nullptr;  // null: the body's own
     decoration::Recorded decoration;
     std::optional<look::DressedMarks> dressed;  // set when it is first shown
-    ecs::Entity finished;                       // the pot, in the camera's scene
 
     [[nodiscard]] std::size_t pictures_of_the_making() const {
         const auto first =
@@ -106,12 +105,15 @@ struct FilmMaker::Parts {
         std::optional<render::LatheMaterial> worn;
         if (glaze != nullptr)
             worn = look::glazed_lathe(wheel::clay_material(pot.body, clay::Firing::kGlaze), *glaze);
+        ecs::Entity finished;
         camera->scene().put_on_wheel(finished,
                                      {.pot = &pot,
                                       .material = worn ? &*worn : nullptr,
                                       .marks = dressed ? &dressed->marks() : nullptr},
                                      {.direction = turned(snapshot.wheel_direction, shown.turned)});
-        return camera->take(snapshot, wheel::StillView::kPortrait);
+        auto picture = camera->take(snapshot, wheel::StillView::kPortrait);
+        camera->scene().registry().destroy(finished);
+        return picture;
     }
 };
 
