@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "game/haptic/tools.h"
 #include "game/wheel/wheel_scene.h"
 #include "game/wheel/tool_models.h"
 #include "tests/support/places.h"
