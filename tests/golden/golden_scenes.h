@@ -11,7 +11,6 @@
 
 #include "game/look/lathe_marks.h"
 #include "game/wheel/still.h"
-#include "game/wheel/wheel_view.h"
 #include "tests/golden/golden_pots.h"
 
 namespace onggi::golden {
@@ -39,8 +38,12 @@ struct GoldenScene {
     wheel::StillView view = wheel::StillView::kThrowing;
     std::shared_ptr<const DrawnPot> drawn = nullptr;
 
-    // Refers to this scene.
-    [[nodiscard]] wheel::WheelView shown() const;
+    // Brings hands and pot into the scene of a picture, and returns the snapshot that goes with them. Both
+    // refer to this one.
+    [[nodiscard]] haptic::Snapshot shown(wheel::WheelScene& scene) const;
+    // A picture of it by a camera of its own.
+    [[nodiscard]] Result<asset::Image> drawn_alone(int width_px, int height_px,
+                                                   const wheel::StillOptions& options) const;
     // A hash of everything that the picture shows.
     [[nodiscard]] std::uint64_t hash() const;
 

@@ -22,7 +22,6 @@
 #include "game/app/devices/haptic_guard.h"
 #include "game/app/kiosk/presentation/force_view.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
-#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/app/system/end_signal.h"
 #include "game/app/system/haptic_core.h"
 #include "game/app/system/report.h"
@@ -46,8 +45,8 @@ class LiveForces {
 
     // Call it once a frame, shown or not, so that the plots have a history. Returns null when there is no
     // overlay. Valid until the next call.
-    [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
-                                              const wheel::LiveView& view, double now_s);
+    [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::LiveView& view,
+                                              double now_s);
 
   private:
     bool shown_;
@@ -58,8 +57,8 @@ class LiveForces {
     render::Overlay overlay_;
 };
 
-const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
-                                        const wheel::LiveView& view, double now_s) {
+const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const wheel::LiveView& view,
+                                        double now_s) {
     forces_.look(snapshot, now_s);
     if (!shown_ || view.width() <= 0 || view.height() <= 0) return nullptr;
     if (!asked_ || asked_->width_px != view.width() || asked_->height_px != view.height()) {
@@ -72,7 +71,7 @@ const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const 
         composer_.ask(asked_);
     }
     stage_.take(composer_.latest(), now_s);
-    const screens::ForceFrame frame = forces_.frame(snapshot, shown, sight_of(view), true);
+    const screens::ForceFrame frame = forces_.frame(snapshot, sight_of(view), true);
     overlay_.list = &stage_.draw({.now_s = now_s, .forces = &frame});
     overlay_.uploads = stage_.uploads();
     overlay_.atlas_side_px = stage_.atlas_side_px();
@@ -106,9 +105,8 @@ Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const hapti
         stops = stops || key->key == window::Key::kPause;
     }
     if (view.close_requested() || end_was_asked()) return FrameOutcome::kClosed;
-    const wheel::WheelView shown = wheel_view(snapshot);
     const double now_s = jobs::MonotonicClock::now_s();
-    const auto drawn = view.draw(shown, 1.0 / kFrameRateHz, forces.look(snapshot, shown, view, now_s));
+    const auto drawn = view.draw(snapshot, 1.0 / kFrameRateHz, forces.look(snapshot, view, now_s));
     if (!drawn) return drawn.error();
     if (auto done = view.wait(); !done) return done.error();
     for (const std::string& line : view.take_remarks())

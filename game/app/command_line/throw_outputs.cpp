@@ -18,7 +18,6 @@
 #include "engine/files/asset_folder.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/stats.h"
-#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/exporter/studio_export.h"
 #include "game/haptic/tick.h"
@@ -205,7 +204,7 @@ Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::Hapti
     haptic::fill_snapshot(snapshot, state, last, parameters);
     const pot::Pot fired = pot::fired(pot, outputs.stage);
     snapshot.pot = &fired;
-    return wheel::render_still(wheel_view(snapshot), outputs.size.width, outputs.size.height,
+    return wheel::render_still(snapshot, outputs.size.width, outputs.size.height,
                                {.view = outputs.view,
                                 .beauty = outputs.beauty,
                                 .quick = outputs.backend == render::BackendChoice::kCpu});

@@ -321,14 +321,10 @@ void VisitDrawing::pass(double dt_s) {
     if (brush_down_) draw_at(place_of_dot());
 }
 
-void VisitDrawing::show(wheel::WheelView& shown) const {
-    if (!work_) return;
-    shown.pot = &work_->dry;
-    shown.wheel_direction = heading();
-    shown.marks = &work_->dressed.marks();
-    shown.contacts = 0;
-    shown.peak_load = 0.0;
-    shown.wire_shown = false;
+void VisitDrawing::show(wheel::WheelScene& scene) {
+    if (!work_) return scene.registry().destroy(in_scene_);
+    scene.put_on_wheel(in_scene_, {.pot = &work_->dry, .marks = &work_->dressed.marks()},
+                       {.direction = heading()});
 }
 
 std::vector<vec2> VisitDrawing::ring(bool keys_lead) const {

@@ -12,7 +12,7 @@
 #include "game/look/lathe_marks.h"
 #include "game/pot/pot.h"
 #include "game/visit/flow/visit_flow.h"
-#include "game/wheel/live_view.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::visit {
 
@@ -52,7 +52,7 @@ class VisitDrawing {
     void pass(double dt_s);
 
     // The pot as it is then, with what was drawn; nothing before begin().
-    void show(wheel::WheelView& shown) const;
+    void show(wheel::WheelScene& scene);
     // Where a stroke would begin, as the camera sees it; empty: nowhere, or one is being drawn.
     [[nodiscard]] std::vector<vec2> ring(bool keys_lead) const;
     // What was drawn; null: nothing.
@@ -85,6 +85,7 @@ class VisitDrawing {
     VisitFlow& flow_;
     std::shared_ptr<const pot::Pot> pot_;
     std::shared_ptr<Work> work_;
+    ecs::Entity in_scene_;          // its pot
     decoration::Strokes put_away_;  // to go on from
     std::shared_ptr<const decoration::Recorded> remembered_;
     bool is_to_be_kept_ = false;

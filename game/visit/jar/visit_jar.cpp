@@ -94,12 +94,16 @@ double VisitJar::height_mm(const haptic::Snapshot& snapshot) const {
     return snapshot.pot->height_mm + (is_both ? bowl_->height_mm : 0.0);
 }
 
-void VisitJar::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) {
-    if (!works_on(Finger::kBowl) || !bowl_) return;
-    both_ = pot::stacked(*snapshot.pot, *bowl_, vec2(shift_mm(snapshot.wheel_direction)));
-    shown.pot = &both_;
-    shown.contacts = 0;
-    shown.peak_load = 0.0;
+void VisitJar::show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot) {
+    ecs::Registry& registry = scene.registry();
+    if (!bowl_) return registry.destroy(in_scene_);
+    if (!registry.alive(in_scene_)) in_scene_ = registry.create();
+    registry.add(in_scene_, wheel::PotApart{.pot = bowl_.get()});
+    if (works_on(Finger::kBowl)) {
+        registry.add(in_scene_, wheel::HeldOver{vec2(shift_mm(snapshot.wheel_direction))});
+    } else {
+        registry.remove<wheel::HeldOver>(in_scene_);
+    }
 }
 
 }  // namespace onggi::visit

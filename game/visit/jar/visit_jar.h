@@ -11,7 +11,7 @@
 #include "game/pot/section.h"
 #include "game/visit/flow/step.h"
 #include "game/visit/flow/visit_flow.h"
-#include "game/wheel/wheel_view.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::visit {
 
@@ -42,8 +42,8 @@ class VisitJar {
     [[nodiscard]] double mouth_mm() const;
     // Of what is seen on the wheel.
     [[nodiscard]] double height_mm(const haptic::Snapshot& snapshot) const;
-    // Both bowls, while they are held together.
-    void show(wheel::WheelView& shown, const haptic::Snapshot& snapshot);
+    // The bowl that was set aside is in the scene; over the clay while they are held together.
+    void show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot);
 
   private:
     // Also under a panel.
@@ -55,7 +55,7 @@ class VisitJar {
     VisitFlow& flow_;
     std::shared_ptr<const pot::Pot> bowl_;
     std::shared_ptr<const pot::Section> bowl_section_;
-    pot::Pot both_;
+    ecs::Entity in_scene_;  // the bowl
 };
 
 }  // namespace onggi::visit

@@ -342,7 +342,8 @@ void add_tool_tray(Page& page) {
     const float width = page.width();
     const float top = ledge_top(page);
     const float y = row_y(page);
-    const auto choices = [&](float x, float row, float pitch, float wide, std::initializer_list<tool::Tool> all) {
+    const auto choices = [&](float x, float row, float pitch, float wide,
+                             std::initializer_list<tool::Tool> all) {
         for (const tool::Tool held : all) {
             add_choice(page, {x, row, wide, 66.0F},
                        {.icon = kHeldIcons[tray_place(held)],
@@ -357,13 +358,15 @@ void add_tool_tray(Page& page) {
     switch (page.shape()) {
         case Shape::kWide:
             add_lines(page, {34.0F, top + 20.0F, 306.0F, 116.0F + growth(page).labels}, title, line);
-            choices(358.0F, y, 146.0F, 130.0F, {tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire});
+            choices(358.0F, y, 146.0F, 130.0F,
+                    {tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire});
             add_stepper(page, {942.0F, y, 160.0F, 66.0F}, size, false);
             add_back(page, {width - 162.0F, y, 130.0F, 66.0F});
             return;
         case Shape::kSquare:
             add_lines(page, {32.0F, top + 12.0F, width - 64.0F, 74.0F + growth(page).caption}, title, line);
-            choices(32.0F, y, 130.0F, 112.0F, {tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire});
+            choices(32.0F, y, 130.0F, 112.0F,
+                    {tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire});
             add_stepper(page, {width - 384.0F, y, 164.0F, 66.0F}, size, false);
             add_back(page, {width - 170.0F, y, 138.0F, 66.0F});
             return;

@@ -7,6 +7,7 @@
 #include "game/clay/studio/studio_parameters.h"
 #include "game/pot/set_aside.h"
 #include "game/visit/flow/step.h"
+#include "game/wheel/hands.h"
 
 namespace onggi::visit {
 namespace {
@@ -45,26 +46,31 @@ std::optional<VisitTrim::Foot> VisitTrim::wanted() const {
     return Foot{over_.height_mm - kFootMm, over_.height_mm - kFromTopMm};
 }
 
-void VisitTrim::show(wheel::WheelView& shown, const haptic::Snapshot& snapshot) {
-    if (!is_there()) return;
+void VisitTrim::show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot) {
+    if (!is_there()) {
+        if (!scene.registry().alive(in_scene_)) return;
+        scene.registry().destroy(in_scene_);
+        scene.lead_hands(std::nullopt);
+        return scene.shave(0.0, dvec3(0.0));
+    }
     over_ = pot::turned_over(*snapshot.pot);
     over_.stage = clay::Firing::kDry;  // as it looks; it is measured and touched at the size it is
-    shown.pot = &over_;
-    shown.peak_load = 0.0;
-    shown.wire_shown = false;
-    shown.second_hand.shown = false;
+    scene.put_on_wheel(in_scene_, {.pot = &over_});
     const bool works = snapshot.tool.pressing && snapshot.result.grip.grip != clay::studio::Grip::kNone;
     const dvec2 at_mm = turned(works ? snapshot.result.grip.hand_mm : dvec2(snapshot.tool.position_mm));
     const double side = std::signbit(at_mm.x) ? -1.0 : 1.0;
+    auto hands = wheel::hands_of(snapshot);
+    wheel::DrawnHand& hand = hands.front();
     const double gone_mm = snapshot.tool.radius_mm + (works ? 0.0 : kTrimmerHoversMm);
-    shown.hand.position_mm = {at_mm.x + side * gone_mm, std::max(at_mm.y, kTrimmerHoversMm), 0.0};
-    shown.hand.tool = tool::Tool::kTrimmer;
-    shown.hand.side = tool::Side::kOut;
-    shown.hand.shown = shown.hand.guided = true;
-    shown.hand.digs = false;
-    shown.hand.touching = works;
-    shown.shaved_mm3 = std::max(0.0, begun_mm3_ - snapshot.on_wheel_mm3);
-    shown.shaved_at_mm = {at_mm.x, at_mm.y, 0.0};
+    hand.position_mm = {at_mm.x + side * gone_mm, std::max(at_mm.y, kTrimmerHoversMm), 0.0};
+    hand.tool = tool::Tool::kTrimmer;
+    hand.side = tool::Side::kOut;
+    hand.shown = hand.guided = true;
+    hand.digs = false;
+    hand.touching = works;
+    hands.back().shown = false;
+    scene.lead_hands(hands);
+    scene.shave(std::max(0.0, begun_mm3_ - snapshot.on_wheel_mm3), {at_mm.x, at_mm.y, 0.0});
 }
 
 }  // namespace onggi::visit

@@ -6,7 +6,7 @@
 
 #include "game/haptic/messages.h"
 #include "game/visit/flow/visit_flow.h"
-#include "game/wheel/wheel_view.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::visit {
 
@@ -23,8 +23,8 @@ class VisitTrim {
     void look(const haptic::Snapshot& snapshot);
     // What a place on the picture's plane is to the clay, and the other way round.
     [[nodiscard]] dvec2 turned(const dvec2& place_mm) const;
-    // The pot and the hand as they are seen then.
-    void show(wheel::WheelView& shown, const haptic::Snapshot& snapshot);
+    // The pot, the hands and the shavings as they are seen then.
+    void show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot);
     // Where the foot should come, of the pot that is shown: from there to there.
     struct Foot {
         double low_mm = 0.0;
@@ -40,6 +40,7 @@ class VisitTrim {
     double begun_mm3_ = 0.0;
     double height_mm_ = 0.0;  // of the clay, upright
     pot::Pot over_;
+    ecs::Entity in_scene_;  // that pot
 };
 
 }  // namespace onggi::visit

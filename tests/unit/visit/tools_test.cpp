@@ -103,7 +103,9 @@ TEST(Tools, TheWheelShowsWhatIsHeldOrWithTheWireTheLesson) {
     visitor.starts_to_throw().presses(Button::kTakeTool, number(tool::Tool::kRib)).presses(Button::kShowMe);
     EXPECT_EQ(visitor.state.throwing.shown, ShownStep::kDrawTool);
     EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kRib);
-    visitor.presses(Button::kMyTurn).presses(Button::kTakeTool, number(tool::Tool::kWire)).presses(Button::kShowMe);
+    visitor.presses(Button::kMyTurn)
+        .presses(Button::kTakeTool, number(tool::Tool::kWire))
+        .presses(Button::kShowMe);
     EXPECT_EQ(visitor.state.throwing.shown, ShownStep::kPress);
     EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kHand);
 }

@@ -7,8 +7,6 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kSolidMm = 8.0;  // a hollow up to this depth does not count
-
 // The steps of the lesson are measured on a lump of 1 kg with this foot; they scale with the lump.
 constexpr double kLumpFootMm = 62.0;
 constexpr double kComesS = 0.5;  // the hands approach before they press
@@ -52,31 +50,6 @@ double scale_of(const pot::Pot& shape) {
 }
 
 }  // namespace
-
-Wall wall_at(const pot::Pot& shape, double y_mm) {
-    const auto& outer = shape.outer_mm;
-    if (outer.empty() || y_mm < 0.0 || y_mm >= shape.height_mm) return {};
-    const auto& tops = shape.top_mm;
-    std::size_t ring = 0;
-    if (tops.empty()) {
-        ring = static_cast<std::size_t>(y_mm / shape.height_mm * static_cast<double>(outer.size()));
-    } else {
-        ring = static_cast<std::size_t>(std::upper_bound(tops.begin(), tops.end(), static_cast<float>(y_mm)) -
-                                        tops.begin());
-    }
-    ring = std::min(ring, outer.size() - 1);
-    const auto& inner = shape.inner_mm;
-    return {double{outer[ring]}, inner.empty() ? 0.0 : double{inner[ring]}};
-}
-
-Wall rim_of(const pot::Pot& shape) {
-    constexpr double kWithinMm = 0.5;
-    return wall_at(shape, std::max(0.0, shape.height_mm - kWithinMm));
-}
-
-bool is_solid(const pot::Pot& shape) {
-    return shape.floor_mm > shape.height_mm - kSolidMm;
-}
 
 TouchPath path_of_step(kiosk::ShownStep step, const pot::Pot& shape, double side) {
     const double scale = scale_of(shape);
@@ -152,7 +125,7 @@ TouchPath open_path(const pot::Pot& shape, double side, double step_mm) {
 }
 
 TouchPath lower_path(const pot::Pot& shape, double side, double step_mm) {
-    const Wall rim = rim_of(shape);
+    const pot::Wall rim = rim_of(shape);
     const double x_mm = side * std::max(0.5 * (rim.outer_mm + rim.inner_mm), kRimWithin * rim.outer_mm);
     const double top_mm = shape.height_mm;
     const double there_s = step_mm / kLowerMmPerS;

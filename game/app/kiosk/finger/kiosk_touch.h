@@ -14,16 +14,6 @@ namespace onggi::app {
 // Fraction of the height at which the lesson presses first and pulls.
 constexpr double kLowFraction = 0.3;
 
-// Outer and inner radius of the shape at a height; inner 0 where it is solid, both 0 above it.
-struct Wall {
-    double outer_mm = 0.0;
-    double inner_mm = 0.0;
-};
-[[nodiscard]] Wall wall_at(const pot::Pot& shape, double y_mm);
-// The wall at the uppermost ring.
-[[nodiscard]] Wall rim_of(const pot::Pot& shape);
-// Whether the shape has no notable hollow.
-[[nodiscard]] bool is_solid(const pot::Pot& shape);
 
 struct TouchPoint {
     double at_s = 0.0;  // since the path began

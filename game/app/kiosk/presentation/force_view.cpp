@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/wheel/hands.h"
+
 namespace onggi::app {
 namespace {
 
@@ -149,25 +151,26 @@ void ForceView::look(const haptic::Snapshot& snapshot, double now_s) {
             full_n_ = std::max(full_n_, glm::length(force_n));
 }
 
-screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
-                                     const Sight& sight, bool with_sum) const {
+screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const Sight& sight,
+                                     bool with_sum) const {
     screens::ForceFrame frame{.trace = &trace_, .with_sum = with_sum};
     for (std::size_t k = 0; k < screens::kForceCount; ++k)
         frame.size_n[k] = glm::length(shown_n_[0][k]);
     const auto add_touch = [&](std::size_t hand, const clay::ContactForces& forces,
-                               const wheel::HandView& view) {
+                               const wheel::DrawnHand& drawn) {
         if (forces.contacts == 0) return;
         screens::ForceTouch touch;
-        const dvec3 at_mm = touched_mm(view.position_mm, view.radius_mm,
+        const dvec3 at_mm = touched_mm(drawn.position_mm, drawn.radius_mm,
                                        shown_n_[hand][static_cast<std::size_t>(screens::Force::kStiffness)]);
         for (std::size_t k = 0; k < screens::kForceCount; ++k)
             touch.arrows[k] = arrow_of(at_mm, shown_n_[hand][k], mm_per_n(), sight);
-        add_rings(touch, *snapshot.pot, rings_touched(*snapshot.pot, forces), view.side == tool::Side::kIn,
-                  sight);
+        add_rings(touch, *snapshot.pot, rings_touched(*snapshot.pot, forces),
+                  drawn.side == tool::Side::kIn, sight);
         frame.touches.push_back(std::move(touch));
     };
-    add_touch(0, snapshot.result.forces, shown.hand);
-    add_touch(1, snapshot.result.second_forces, shown.second_hand);
+    const std::array<wheel::DrawnHand, 2> hands = wheel::hands_of(snapshot);
+    add_touch(0, snapshot.result.forces, hands[0]);
+    add_touch(1, snapshot.result.second_forces, hands[1]);
     return frame;
 }
 

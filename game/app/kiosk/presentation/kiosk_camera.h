@@ -7,7 +7,6 @@
 
 #include "game/kiosk/config.h"
 #include "game/kiosk/state.h"
-#include "game/wheel/framing.h"
 #include "game/wheel/workshop_files.h"
 
 namespace onggi::app {

@@ -71,7 +71,7 @@ std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_
     const auto& outer = shape.outer_mm;
     if (outer.empty() || finger_mm.y < 0.0) return std::nullopt;
     const double top_mm = shape.height_mm;
-    const Wall rim = wall_at(shape, top_mm - 0.01);
+    const pot::Wall rim = wall_at(shape, top_mm - 0.01);
     const double y_mm = std::min(finger_mm.y, top_mm - 0.01);
     constexpr double kNearMm = 30.0;
     if (with_tool) {

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <utility>
 
-#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/app/kiosk/visit/bench_tools.h"
 #include "game/app/system/report.h"
 #include "game/visit/finish/finish.h"
@@ -106,17 +105,16 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     stage_.take(composer.latest(), now_s_);
     composer.hold(input_.pointer().rests_on_scene());
     stage_.turn(composer.turned());
-    wheel::WheelView shown = wheel_view(moment.snapshot);
-    if (const auto wire_mm = wheel_.finger().wire_mm()) {
-        shown.wire_shown = true;
-        shown.wire_height_mm = *wire_mm;
-        shown.hand.shown = shown.second_hand.shown = false;  // they hold its ends
-    }
-    drawing_.show(shown);
-    jar_.show(shown, moment.snapshot);
-    trim_.show(shown, moment.snapshot);
-    shown.rib_on_bench = rib_lies_there(parts_, state_);
-    const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
+    wheel::WheelScene& wheel_scene = parts_.view.scene();
+    wheel_scene.hold_wire(wheel_.finger().wire_mm());
+    wheel_scene.lay_on_bench(wheel::ToolModel::kRib, rib_lies_there(parts_, state_));
+    const visit::Finger finger = visit::open_finger(state_);
+    wheel_scene.show_hands(wheel_.shows() || finger == visit::Finger::kClay ||
+                           finger == visit::Finger::kFoot);
+    drawing_.show(wheel_scene);
+    jar_.show(wheel_scene, moment.snapshot);
+    trim_.show(wheel_scene, moment.snapshot);
+    const SceneMarks marks = scene_.marks(state_, moment, stage_);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),
                                           .band = marks.band ? &*marks.band : nullptr,
@@ -128,10 +126,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
                                   .atlas_side_px = stage_.atlas_side_px(),
                                   .scene_rests = stage_.scene_rests(),
                                   .covers = stage_.covers()};
-    const visit::Finger finger = visit::open_finger(state_);
-    if (!wheel_.shows() && finger != visit::Finger::kClay && finger != visit::Finger::kFoot)
-        shown.hand.shown = shown.second_hand.shown = false;
-    auto drawn = parts_.view.draw(shown, moment.dt_s, &overlay);
+    auto drawn = parts_.view.draw(moment.snapshot, moment.dt_s, &overlay);
     if (!drawn) return drawn.error();
     if (*drawn) ++frames_shown_;
     for (const std::string& line : parts_.view.take_remarks())

@@ -12,8 +12,8 @@ namespace onggi::app {
 // Over a wall that covers the scene the camera goes where it will be wanted next, unseen.
 void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown,
                             bool covered) {
-    if (shown == nullptr || covered) parts_.view.jump();
-    parts_.view.move_less(state.comfort.still);
+    if (shown == nullptr || covered) parts_.view.scene().jump();
+    parts_.view.scene().move_less(state.comfort.still);
     if (!visit::step_of(state.screen).shows_scene && !covered) return;
     const BackgroundSight sight{
         .width_px = parts_.view.width(),
@@ -28,10 +28,10 @@ void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const scr
     request.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
     if (request == aimed_) return;
     aimed_ = request;
-    parts_.view.look_at(request.view);
-    parts_.view.set_framing(request.framing);
+    parts_.view.scene().look_at(request.view);
+    parts_.view.scene().set_framing(request.framing);
     parts_.view.sway(request.sways);
-    parts_.view.set_evening(request.evening);
+    parts_.view.scene().set_evening(request.evening);
 }
 
 SceneEdges VisitScene::edges() const {
@@ -39,7 +39,7 @@ SceneEdges VisitScene::edges() const {
 }
 
 SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& moment,
-                             const wheel::WheelView& shown, const screens::Stage& stage) {
+                             const screens::Stage& stage) {
     if (const std::uint64_t lump = wheel_.lumps_asked(); lump != cued_lump_) {
         cued_lump_ = lump;
         cue_.begin();
@@ -47,18 +47,17 @@ SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& momen
     forces_.look(moment.snapshot, moment.now_s);
     return {.band = warning_band(state, moment.snapshot),
             .cue = cue(state, moment, stage),
-            .forces = forces(state, moment.snapshot, shown)};
+            .forces = forces(state, moment.snapshot)};
 }
 
 // While the first moves are learnt, what the hand feels is shown at the clay; numbers and plots only to who
 // asks.
 std::optional<screens::ForceFrame> VisitScene::forces(const kiosk::State& state,
-                                                      const haptic::Snapshot& snapshot,
-                                                      const wheel::WheelView& shown) const {
+                                                      const haptic::Snapshot& snapshot) const {
     if (visit::open_finger(state) != visit::Finger::kClay) return std::nullopt;
     const bool asked = state.comfort.forces;
     if (!asked && state.throwing.steps_done >= kiosk::kTeachingSteps) return std::nullopt;
-    return forces_.frame(snapshot, shown, sight_of(parts_.view), asked);
+    return forces_.frame(snapshot, sight_of(parts_.view), asked);
 }
 
 // The clay where it carries most.
