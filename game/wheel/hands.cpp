@@ -155,13 +155,13 @@ void guide_hands(Hands& hands, const haptic::Snapshot& snapshot) {
     const clay::studio::GripReport& report = snapshot.result.grip;
     const bool presses = snapshot.tool.pressing;
     const bool works = presses && report.grip != Grip::kNone;
-    const dvec2 finger_mm(told.position_mm);
+    const dvec2 finger_mm(snapshot.tool.position_mm);
     const dvec2 at_mm = works ? report.hand_mm : finger_mm;
     const Guide guide{.shape = shape,
                       .side = std::signbit(at_mm.x) ? -1.0 : 1.0,
                       .at_mm = {std::abs(at_mm.x), at_mm.y},
                       .gap_mm = presses ? 0.0 : kHoversMm,
-                      .radius_mm = told.radius_mm,
+                      .radius_mm = snapshot.tool.radius_mm,
                       .works = works};
     hands[0].digs = hands[1].digs = false;
     hands[1].shown = false;
@@ -216,7 +216,7 @@ Hands hands_of(const haptic::Snapshot& snapshot) {
     const bool assists = result.has_second && !told.second.present;  // with the first hand's size
     Hands hands{
         DrawnHand{.position_mm = told.position_mm,
-                  .radius_mm = told.radius_mm,
+                  .radius_mm = snapshot.tool.radius_mm,
                   .tool = told.tool,
                   .side = result.side,
                   .touching = result.forces.contacts > 0},

@@ -19,7 +19,7 @@ haptic::Snapshot set_view(WheelScene& scene, const haptic::Snapshot& snapshot, S
     const bool shows_work = view == StillView::kThrowing || view == StillView::kLookingIn;
     scene.show_hands(shows_work);
     haptic::Snapshot shown = snapshot;
-    if (!shows_work) shown.tool.command = haptics::WorkCommand::kNone;
+    if (!shows_work) shown.tool.wire = tool::Wire::kNone;
     return shown;
 }
 
