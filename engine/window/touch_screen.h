@@ -39,9 +39,9 @@ class LeadingFinger {
     Touch still_{};  // its last position that counted as motion, and when
 };
 
-// Whether the window shows the pointer's arrow: while somebody moves a mouse. A jump is nobody's movement,
-// for a display server puts the pointer somewhere at the start and after a reconnection; nor is a jolt that
-// shakes a mouse a little. Time in s, of any clock that does not go back; places in px.
+// Whether the window shows the pointer's arrow: only while a mouse moves. Ignores jumps, because a display
+// server places the pointer at the start and after a reconnection, and small movements of a mouse that was
+// jolted. Time in s, of any clock that does not go back; places in px.
 class PointerArrow {
   public:
     explicit PointerArrow(bool is_shown) : is_shown_(is_shown) {}

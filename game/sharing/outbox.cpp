@@ -116,8 +116,8 @@ Result<bool> Outbox::renew(const ShareCode& code, const SharedPot& pot, const Sh
     return true;
 }
 
-// Called after the new pot is on disk: a failed put() removes no other pot. What is dated after now was
-// shared before the clock went back, so it is older than what is dated before.
+// Called after the new pot is on disk: a failed put() removes no other pot. Pots dated in the future were
+// shared before the clock was set back, so they are older than the others.
 Result<void> Outbox::make_room(const ShareCode& newcomer, std::int64_t now_s) {
     auto all = list();
     if (!all) return all.error();

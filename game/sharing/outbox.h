@@ -61,9 +61,9 @@ class Outbox {
     [[nodiscard]] Result<bool> withdraw(const ShareCode& code);
     // Removes the shared pot with that gallery name. Returns true if it was shared.
     [[nodiscard]] Result<bool> withdraw_named(const std::string& gallery_name);
-    // Removes expired pots, and code folders without a note. Returns how many. Dates pots anew that were
-    // shared before the clock was set. One that cannot be removed leaves the others to go, and is the error
-    // (system lacks).
+    // Removes expired pots, and code folders without a note. Returns how many. Corrects the dates of pots
+    // that were shared before the clock was set. If one cannot be removed, removes the others and returns the
+    // error (system lacks).
     [[nodiscard]] Result<int> expire(std::int64_t now_s);
     // Oldest first.
     [[nodiscard]] Result<std::vector<OutboxEntry>> list() const;

@@ -76,7 +76,7 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
     std::mt19937 chance(20261122);
     std::set<std::string> seen;
     int while_throwing = 0;
-    int threw_on = 0;  // long enough for the journal to know of it
+    int threw_on = 0;  // long enough to be in the journal
     int threw_on_picked_up = 0;
     int while_saving = 0;
     int picked_up = 0;

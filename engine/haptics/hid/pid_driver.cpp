@@ -92,7 +92,7 @@ Result<void> PidDriver::begin(HidPort& port) {
     // Reset twice, because one is sometimes lost; "stop all" before "enable", because some devices read "stop
     // all" as "actuators off".
     for (const PidUsage control : {PidUsage::kReset, PidUsage::kReset, PidUsage::kStopAll}) {
-        // A reset may be refused: the effects are set anew in any case.
+        // A reset may be refused: the effects are set again in any case.
         if (auto sent = write(port, device_control(*layout_, control));
             !sent && control == PidUsage::kStopAll)
             return sent;

@@ -91,7 +91,7 @@ Result<int> listen_at(const std::string& address_or_interface, int port) {
     if (listening < 0) return refused();
     const int yes = 1;
     ::setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    const int silent_s = 1;  // a client that says nothing is handed over after so long
+    const int silent_s = 1;  // accept a silent client after this time
     ::setsockopt(listening, IPPROTO_TCP, TCP_DEFER_ACCEPT, &silent_s, sizeof silent_s);
     if (place->storage.ss_family == AF_INET6)
         ::setsockopt(listening, IPPROTO_IPV6, IPV6_V6ONLY, &yes, sizeof yes);

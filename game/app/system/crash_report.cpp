@@ -33,7 +33,7 @@ struct Lead {
     std::array<char, PATH_MAX> session{};
     std::array<char, PATH_MAX> keep_in{};
 };
-// In memory shared with the supervisor, which reads it after the program's death. Of the two leads, one is
+// In memory shared with the supervisor, which reads it after the program's death. One of the two leads is
 // always complete.
 struct SharedLead {
     std::array<Lead, 2> leads;
@@ -155,7 +155,7 @@ void report_and_die(int signal, siginfo_t* info, void* context) {
          << "expected memory for the thread " << thread.data() << ", found none left")
             .write();
         ::_exit(exit_code(ErrorKind::kSystemLacks));
-    } catch (...) {  // NOLINT: the signal below tells of it
+    } catch (...) {  // NOLINT: abort() reports it
     }
     std::abort();
 }

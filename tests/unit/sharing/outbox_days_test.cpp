@@ -137,7 +137,7 @@ TEST_F(OutboxUnderAnyClock, MakesRoomByAgeUnderAClockThatHasGoneBackToo) {
 
 TEST_F(OutboxUnderAnyClock, KeepsAPageForItsTimeWhoseClockWasNotSet) {
     const std::string code = put(60);
-    EXPECT_TRUE(is_served(code, kNoonS)) << "the network has told the time, nobody has looked yet";
+    EXPECT_TRUE(is_served(code, kNoonS)) << "the network has set the clock, but no expiry has run yet";
     ASSERT_TRUE(outbox_.expire(kNoonS));
     EXPECT_TRUE(is_served(code, kNoonS + 5 * kHourS));
     EXPECT_FALSE(is_served(code, kNoonS + 7 * kHourS));
