@@ -79,7 +79,7 @@ struct SafetyInput {
     dvec3 position_mm{0.0};         // of the tool, as the device reported it
     double dt_s = 0.0;              // since the last tick: one step, two at most
     dvec3 velocity_mm_s{0.0};       // of the tool, from a windowed estimator: velocity_estimator.h
-    dvec3 driven_force_n{0.0};      // the part that the wheel's motor drives: the drag of the turning clay
+    dvec3 driven_force_n{0.0};      // the part that the wheel's motor drives: the drag of what turns
     double applied_fraction = 1.0;  // fraction of the chain's last force that was applied: a device may have
                                     // ramps and limits of its own
     std::uint32_t late = 0;         // periods missed since the last tick
@@ -211,9 +211,9 @@ dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input, const S
 // chain cannot do this, because it knows one tool only: a motor stays warm while another hand works, and the
 // loop's ramp is over when a hand that lay in the work takes over.
 inline constexpr std::array<SafetyStage, 3> kMotorStages{{
-    {"ramp", "from zero to full force once a hand has the tool and the force is small", &ramp},
-    {"budget", "this hand's own mean force, while it works and while it rests", &budget},
-    {"clamp", "this hand's own peak force, direction kept", &clamp},
+    {"ramp", "from zero to full force once a device has the tool and the force is small", &ramp},
+    {"budget", "this device's own mean force, while it works and while it rests", &budget},
+    {"clamp", "this device's own peak force, direction kept", &clamp},
 }};
 
 // Applies the stages in order. The slew stage stores the applied force in the state; without a slew stage

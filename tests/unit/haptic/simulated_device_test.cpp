@@ -79,14 +79,14 @@ TEST(SimulatedDevice, ComesToRestAgainstAStiffWallAtEveryRate) {
             SimulatedDevice device;
             start_at_rest(device);
             Wall wall{.before_x = 90.0};
-            SafetyState safety;
-            const SafetyLimits limits = limits_for(device.capabilities());
+            haptics::SafetyState safety;
+            const haptics::SafetyLimits limits = haptics::limits_for(device.capabilities());
             // The hand pushes 10 mm into the wall: 0.2 (x - 50) = 0.5 (60 - x), so x = 57.14 and 1.43 N.
             const auto run = [&](double seconds, auto&& watch) {
                 for (int k = 0; k < static_cast<int>(seconds * rate_hz); ++k) {
                     const dvec3 at = device.read_tool(0, dt_s).position_mm;
                     dvec3 force = wall.force(at.x, dt_s);
-                    if (limited) force = apply_safety_chain(force, {at, dt_s}, limits, safety);
+                    if (limited) force = haptics::apply_safety_chain(force, {at, dt_s}, limits, safety);
                     device.write(force);
                     watch(at);
                 }
@@ -153,8 +153,8 @@ TEST(SimulatedDevice, IgnoresATargetThatIsNoNumberAndStaysWithinTheWorkspace) {
 }
 
 // A loop that is late by a frame sees only the next frame's target.
-TEST(SimulatedDevice, DoesACommandOnceThoughItsTargetWasReplacedBeforeARead) {
-    constexpr WorkCommand kCommand{1};
+TEST(SimulatedDevice, CutsOnceThoughItsTargetWasReplacedBeforeARead) {
+    constexpr tool::Wire kCut = tool::Wire::kCutRim;
     for (const bool guided : {false, true}) {
         SimulatedDevice device;
         start_at_rest(device);

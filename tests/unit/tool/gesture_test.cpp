@@ -63,7 +63,7 @@ TEST(Gesture, SaysToAClayWithAnInsideWhatItsExtraColumnsName) {
     ASSERT_EQ(gesture.rows().size(), 3U);
     const ToolState& first = gesture.rows()[0].tool;
     EXPECT_EQ(first.tool, Tool::kSponge);
-    EXPECT_EQ(first.side, SideHint::kInside);
+    EXPECT_EQ(first.side, Side::kIn);
     EXPECT_EQ(first.water, 1.0);
     EXPECT_EQ(first.wheel_speed_rev_min, 90.0);
     EXPECT_EQ(first.assist_gap_mm, 6.5);
@@ -76,7 +76,7 @@ TEST(Gesture, SaysToAClayWithAnInsideWhatItsExtraColumnsName) {
             .present = true, .tool = tool::Tool::kRib, .radius_mm = 7.0, .position_mm = {-30.0, 20.0, 5.0}}));
     // Empty fields have their defaults; a second hand is as large as the first.
     const ToolState& second = gesture.rows()[1].tool;
-    EXPECT_EQ(second.tool, ToolKind::kHand);
+    EXPECT_EQ(second.tool, Tool::kHand);
     EXPECT_EQ(second.wheel_speed_rev_min, ToolState{}.wheel_speed_rev_min);
     EXPECT_EQ(second.second.radius_mm, 8.0);
     EXPECT_EQ(gesture.rows()[2].tool.wire, Wire::kCutOff);
@@ -152,7 +152,7 @@ TEST(Gesture, MayHaveColumnsToTheRight) {
     const Gesture gesture =
         gesture_of("0,1,2,3,0,10,inner,0.5\n1,1,2,3,0,10,,\n", std::string(kGestureHeader) + ",side,water\n");
     ASSERT_EQ(gesture.rows().size(), 2U);
-    EXPECT_EQ(gesture.rows()[0].tool.side, SideHint::kInside);
+    EXPECT_EQ(gesture.rows()[0].tool.side, Side::kIn);
     EXPECT_EQ(gesture.rows()[0].tool.water, 0.5);
     EXPECT_EQ(gesture.rows()[1].tool.water, 0.0) << "an empty field is as by default";
 }
