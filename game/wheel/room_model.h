@@ -12,7 +12,7 @@
 namespace onggi::wheel {
 
 struct RoomModel {
-    std::vector<StillPart> parts;
+    std::vector<StillPart> parts = {};
     bool has_wheel = false;  // a node or mesh is named "wheel"; otherwise the scene adds its own wheel
     std::vector<std::string> left_out = {};  // what of the file is not drawn
 };

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <list>
 #include <random>
 #include <string>
 
@@ -184,9 +185,9 @@ TEST_F(HostileClients, ThatAreManyAndSilentMakeRoomForAnHonestOne) {
 
 // The most connections of one address, each with a header that never ends, opened again when one is closed.
 TEST_F(HostileClients, WithManyOpenHeadersDoNotShutOutOthersOfTheirAddress) {
-    std::vector<HttpClient> open_heads;
+    std::list<HttpClient> open_heads;
     const auto hold = [&] {
-        std::erase_if(open_heads, [](HttpClient& client) {
+        open_heads.remove_if([](HttpClient& client) {
             bool closed = false;
             static_cast<void>(client.rest(&closed));
             return closed;

@@ -123,7 +123,7 @@ TEST(SystemProbes, SayWhatIsWrongWithTheKiosksSettings) {
     const std::vector<Finding> full = probe_settings(file);
     EXPECT_EQ(full.back().subject, "gallery");
     EXPECT_EQ(full.back().verdict, is_full ? Verdict::kLacking : Verdict::kGood);
-    EXPECT_EQ(full.back().found.ends_with(", the settings ask for 1000000"), is_full) << full.back().found;
+    EXPECT_EQ(full.back().found.ends_with(", the settings require 1000000"), is_full) << full.back().found;
 }
 
 TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
@@ -166,7 +166,7 @@ TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
 TEST(Findings, SayWhoHearsTheStopKey) {
     const Finding none = probe_stop_keys("/no/such/folder");
     EXPECT_EQ(none.verdict, Finding::Verdict::kNote);
-    EXPECT_NE(none.found.find("the window alone"), std::string::npos) << none.found;
+    EXPECT_NE(none.found.find("in the window only"), std::string::npos) << none.found;
     EXPECT_NE(none.found.find("/no/such/folder"), std::string::npos);
 }
 

@@ -142,8 +142,9 @@ TEST_F(GltfRead, ReadsStripsAndFans) {
         R"([{"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 8}])");
     sample.tree["buffers"][0]["byteLength"] = 56;
     sample.tree["meshes"][0]["primitives"][0]["mode"] = 5;
-    EXPECT_EQ(read(sample).parts.at(0).mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}));
-    for (const vec3& normal : read(sample).parts.at(0).mesh.normals)
+    const GltfModel strip = read(sample);
+    EXPECT_EQ(strip.parts.at(0).mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}));
+    for (const vec3& normal : strip.parts.at(0).mesh.normals)
         EXPECT_EQ(normal, vec3(0.0F, 0.0F, 1.0F));
     sample.tree["meshes"][0]["primitives"][0]["mode"] = 6;
     EXPECT_EQ(read(sample).parts.at(0).mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
