@@ -58,7 +58,7 @@ double Synthesiser::motor() noexcept {
     return level * (1.0 + 0.12 * once_a_turn) * (0.1 * tone + 0.05 * bearing);
 }
 
-// What turns under the hand or the tool. Wet, it sounds dull and slowly modulated, like water; dry, bright
+// The work under the hand or the tool. Wet work sounds dull and slowly modulated, like water; dry work bright
 // and even; a hard edge adds a scrape. More force is louder and slightly higher.
 double Synthesiser::rub(double noise) noexcept {
     const double press = press_.value();

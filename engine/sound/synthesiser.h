@@ -1,4 +1,4 @@
-// Synthesises the sound of a potter's wheel: motor, something wet under a hand, the scrape of a tool, a slapped
+// Synthesises the sound of a potter's wheel: motor, wet material under a hand, the scrape of a tool, a slapped
 // lump, a fire. Pure: the same scenes in the same order give the same samples, whatever the block size. One
 // thread at a time; no allocation, no lock, no libm.
 #pragma once
@@ -157,7 +157,7 @@ class Synthesiser {
     Noise noise_{0x6f6e6767U};
     Phase hum_, second_, fifth_, turn_;
     Filter rumble_;
-    Filter skin_;     // the hand on what turns
+    Filter skin_;     // the hand on the material
     Filter squelch_;  // its modulation
     Filter edge_;     // the scrape
     Filter chatter_;  // its modulation

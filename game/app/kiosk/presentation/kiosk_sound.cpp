@@ -12,7 +12,7 @@
 namespace onggi::app {
 namespace {
 
-// The left and right edge of what the ear takes for the wheel.
+// The left and right edge of the wheel in the stereo picture.
 constexpr double kEdgeMm = 150.0;
 // The torque that nearly stalls a small studio wheel: 3 N at 100 mm.
 constexpr double kStallNMm = 300.0;
@@ -27,9 +27,9 @@ sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
     const dvec3& at = snapshot.tool.position_mm;
     const double press_n = glm::length(snapshot.result.forces.stiffness_n) +
                            glm::length(snapshot.result.second_forces.stiffness_n);
-    // Where the surface is: the tool's centre is off it by the tool's radius, which changes little.
+    // Uses the tool's centre for the surface: its distance, the tool's radius, makes little difference.
     const double slip_mm_s = snapshot.wheel_speed_rad_s * std::sqrt(at.x * at.x + at.z * at.z);
-    // The paper's clay knows no water; it sounds as clay does that has been wetted once.
+    // The paper's clay has no wetness; it sounds like clay that was wetted once.
     constexpr double kUnknownWetness = 0.6;
     const bool knows_water = snapshot.pot != nullptr && snapshot.pot->can_be_hollow();
     return {.rev_min = units::rev_min_from_rad_s(snapshot.wheel_speed_rad_s),

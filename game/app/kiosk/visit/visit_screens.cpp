@@ -12,13 +12,13 @@
 namespace onggi::app {
 namespace {
 
-// Attract: the throwing, then one pot of a museum, then the wall of the day where there is one, and so on.
-// Where a pot was put on the wall just now, its maker sees it there first.
+// Attract mode: the throwing, then a museum's pot, then the wall of the day if there is one, repeatedly.
+// After a pot was put on the wall, the wall is shown first.
 constexpr double kAttractThrowsS = 25.0;
 constexpr double kAttractPotS = 20.0;
 constexpr double kAttractWallS = 20.0;
 constexpr double kWallIsNewS = 60.0;
-constexpr float kNearPx = 0.5F;  // an outline that has moved by less has not moved
+constexpr float kNearPx = 0.5F;  // smaller motions of an outline are ignored
 
 bool are_near(const std::vector<std::vector<vec2>>& x, const std::vector<std::vector<vec2>>& y) {
     return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& a, const auto& b) {
@@ -106,7 +106,7 @@ void VisitScreens::add_attract(screens::View& view, const kiosk::State& state, d
     }
 }
 
-// The newest stands in the middle already while its maker looks at it.
+// The newest is left out while it is shown in the middle.
 void VisitScreens::add_shelf(screens::View& view, const kiosk::State& state) {
     const bool without_newest = view.pot && state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
     if (!shelf_ || shelf_kept_ != effects_.pots_kept() || shelf_without_newest_ != without_newest) {
@@ -122,7 +122,7 @@ void VisitScreens::add_shelf(screens::View& view, const kiosk::State& state) {
 bool VisitScreens::is_asked(screens::View& view) const {
     constexpr float kWarningPx = 6.0F;
     if (!asked_) return false;
-    // Compared as if they had not moved; asked for as they are.
+    // Ignores their small motions in the comparison, but requests their present places.
     std::vector<std::vector<vec2>> outline_px = view.outline_px;
     const std::optional<vec2> warning_at_px = view.warning_at_px;
     const std::optional<vec2> wire_at_px = view.wire_at_px;
@@ -149,7 +149,7 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
     const pot::Pot& shape = *snapshot.pot;
     if (state.throwing.warning != kiosk::Warning::kNone) {
         view.thinnest_mm =
-            0.1 * static_cast<double>(std::lround(10.0 * thinnest_wall_mm(shape)));  // as it is said
+            0.1 * static_cast<double>(std::lround(10.0 * thinnest_wall_mm(shape)));  // as displayed
         const bool rtl = (*view.languages)[static_cast<std::size_t>(state.comfort.language)].right_to_left();
         const double radius_mm = wall_at(shape, snapshot.load.height_mm).outer_mm;
         view.warning_at_px = seen({(rtl ? -radius_mm : radius_mm), snapshot.load.height_mm, 0.0});
@@ -172,7 +172,7 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
     view.outline_px = {std::move(left), std::move(right), std::move(rim)};
 }
 
-// On the bench to the left of the wheel.
+// Places the bowl on the bench to the left of the wheel.
 void VisitScreens::add_aside(screens::View& view) const {
     constexpr dvec3 kPlaceMm{-335.0, -52.0, -150.0};
     constexpr double kHalfMm = 50.0;
@@ -185,7 +185,7 @@ void VisitScreens::add_aside(screens::View& view) const {
         view.aside.reset();
         return;
     }
-    // Whole pixels: what the camera does meanwhile is not seen.
+    // Whole pixels, so that small camera motions do not change the view.
     view.aside_foot_px = vec2(glm::round(*foot));
     view.aside_px_per_mm = static_cast<float>(std::round(right->x - left->x) / (2.0 * kHalfMm));
 }
@@ -200,7 +200,7 @@ void VisitScreens::add_wire(screens::View& view, const haptic::Snapshot& snapsho
     view.wire_at_px = vec2(*px);
 }
 
-// Long enough to be read, however the hand comes and goes.
+// Keeps a caption long enough to be read, even if the hand lifts.
 const std::string& VisitScreens::caption(const VisitMoment& moment) {
     constexpr double kReadS = 1.5;
     const std::string_view heard = caption_key(scene_of(moment.snapshot, 1.0));
