@@ -32,7 +32,6 @@ void VisitJar::set_aside(std::shared_ptr<const pot::Pot> bowl) {
 void VisitJar::forget() {
     bowl_.reset();
     bowl_section_.reset();
-    both_ = {};
 }
 
 void VisitJar::look(const haptic::Snapshot& snapshot) {
