@@ -16,13 +16,7 @@
 namespace onggi::haptics {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const SafetyInput kInside{.position_mm = {60.0, 100.0, 0.0}, .dt_s = kSafetyDt};
-
-double length(const dvec3& v) {
-    return std::sqrt(glm::dot(v, v));
-}
 
 class RandomForces {
   public:
