@@ -63,16 +63,16 @@ bool finite(const dvec3& v) noexcept {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-double largest_coordinate(const dvec3& v) noexcept {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+// No comparison holds for NaN.
+bool is_within(const dvec3& v, double most) noexcept {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
 }
 
-// Whether stages can reckon with it. No comparison holds for NaN.
+// Whether stages can reckon with it.
 bool is_sound(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits) noexcept {
-    const dvec3& driven_n = input.driven_force_n;
     return input.dt_s >= 0.0 && input.dt_s <= limits.longest_tick_s && input.applied_fraction >= 0.0 &&
-           input.applied_fraction <= 1.0 && finite(driven_n) &&
-           largest_coordinate(driven_n) <= limits.most_driven_n && finite(force_n);
+           input.applied_fraction <= 1.0 && is_within(input.driven_force_n, limits.most_driven_n) &&
+           finite(force_n);
 }
 
 bool is_zero(const dvec3& v) noexcept {
@@ -119,14 +119,12 @@ dvec3 gate(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
     const dvec3& at = input.position_mm;
     if (!safety::finite(at)) {
         latch(state, Fault::kPositionNotFinite);
-    } else if (std::abs(at.x) > limits.workspace_mm || std::abs(at.y) > limits.workspace_mm ||
-               std::abs(at.z) > limits.workspace_mm) {
+    } else if (!safety::is_within(at, limits.workspace_mm)) {
         latch(state, Fault::kOutsideWorkspace);
-    } else if (!safety::finite(force_n) || !safety::finite(input.velocity_mm_s) ||
-               !safety::finite(input.driven_force_n)) {
-        latch(state, Fault::kForceNotFinite);
-    } else if (!safety::is_sound(force_n, input, limits)) {
-        latch(state, Fault::kInputNotSound);
+    } else if (!safety::is_sound(force_n, input, limits) || !safety::finite(input.velocity_mm_s)) {
+        const bool is_finite = safety::finite(force_n) && safety::finite(input.driven_force_n) &&
+                               safety::finite(input.velocity_mm_s);
+        latch(state, is_finite ? Fault::kInputNotSound : Fault::kForceNotFinite);
     } else if (input.stop) {
         latch(state, Fault::kStopped);
     } else {
@@ -280,7 +278,7 @@ dvec3 budget(const dvec3& force_n, const SafetyInput& input, const SafetyLimits&
 dvec3 clamp(const dvec3& force_n, const SafetyInput& /*input*/, const SafetyLimits& limits,
             SafetyState& state) noexcept {
     // Divides by the largest coordinate first: the square of a huge but finite force would overflow.
-    const double largest = safety::largest_coordinate(force_n);
+    const double largest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});
     if (largest > limits.peak_force_n) {
         state.driven_force_n = state.driven_force_n / largest * limits.peak_force_n;
         return safety::at_most(force_n / largest * limits.peak_force_n, limits.peak_force_n, state);
@@ -320,22 +318,35 @@ dvec3 slew(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
     return apply(state, held + way * fraction, held_driven + (state.driven_force_n - held_driven) * fraction);
 }
 
+namespace {
+
+// Inline, so that the compiler knows the stages of the chain, whose last one keeps the applied force.
+inline dvec3 through(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
+                     const SafetyLimits& limits, SafetyState& state) noexcept {
+    state.driven_force_n = input.driven_force_n;
+    const bool is_gated = !stages.empty() && stages.front().apply == &gate;
+    dvec3 force = is_gated ? gate(force_n, input, limits, state) : force_n;
+    // What a gate lets through is sound.
+    const bool is_open = is_gated && state.fault == Fault::kNone;
+    if (!is_open && !safety::is_sound(force_n, input, limits)) {
+        restart_ramp(state);
+        return apply(state, dvec3(0.0), dvec3(0.0));
+    }
+    for (const SafetyStage& stage : stages.subspan(is_gated ? 1 : 0))
+        force = stage.apply(force, input, limits, state);
+    return force;
+}
+
+}  // namespace
+
 dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
                          SafetyState& state) noexcept {
-    return apply_stages(kSafetyChain, force_n, input, limits, state);
+    return through(kSafetyChain, force_n, input, limits, state);
 }
 
 dvec3 apply_stages(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
                    const SafetyLimits& limits, SafetyState& state) noexcept {
-    if (!safety::is_sound(force_n, input, limits)) {
-        if (!stages.empty() && stages.front().apply == &gate) gate(force_n, input, limits, state);
-        restart_ramp(state);
-        return apply(state, dvec3(0.0), dvec3(0.0));
-    }
-    state.driven_force_n = input.driven_force_n;
-    dvec3 force = force_n;
-    for (const SafetyStage& stage : stages)
-        force = stage.apply(force, input, limits, state);
+    const dvec3 force = through(stages, force_n, input, limits, state);
     return apply(state, force, state.driven_force_n);
 }
 

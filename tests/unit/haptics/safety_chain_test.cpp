@@ -204,6 +204,19 @@ TEST(SafetyGate, ComesBackThroughTheRampAfterRearm) {
     EXPECT_EQ(state.fault, Fault::kNone);
 }
 
+TEST(SafetyGate, StopsOnRequestUntilItIsRearmedWithoutOne) {
+    SafetyState state = engaged();
+    state.applied_force_n = kPush;
+    SafetyInput stop = kInside;
+    stop.stop = true;
+    EXPECT_EQ(apply_safety_chain(kPush, stop, {}, state), dvec3(0.0));
+    EXPECT_EQ(state.fault, Fault::kStopped);
+    EXPECT_EQ(apply_safety_chain(kPush, kInside, {}, state), dvec3(0.0));
+    EXPECT_EQ(state.fault, Fault::kStopped);
+    rearm(state);
+    EXPECT_EQ(state.fault, Fault::kNone);
+}
+
 TEST(SafetyGate, LatchesAgainWhenTheCausePersists) {
     SafetyState state = engaged();
     for (int i = 0; i < 3; ++i) {

@@ -207,6 +207,7 @@ TEST(SafetyEnergy, CountsNothingThatTheWheelDrives) {
     passivity(dvec3(0.0), {.dt_s = kMillisecond}, {}, state);
     state.applied_force_n = state.applied_driven_n = kPush;
     passivity(kPush, {.position_mm = {900.0, 0.0, 0.0}, .dt_s = kMillisecond}, {}, state);
+    EXPECT_EQ(state.fault, Fault::kNone);
     EXPECT_EQ(state.generated_mj, 0.0);
     EXPECT_EQ(state.given_mj, 900.0);
 }

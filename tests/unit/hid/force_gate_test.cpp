@@ -28,6 +28,9 @@ std::int64_t ready(ForceGate& gate, std::uint64_t& ticks) {
 TEST(ForceGate, GivesNothingBeforeTheFirstTick) {
     ForceGate gate;
     EXPECT_EQ(size_of(gate.passed({.force_n = {1.0, 0.0}, .ticks = 0}, 0)), 0.0);
+    // Not even a small force, as soon as the clock has begun.
+    for (const std::int64_t now_ns : {std::int64_t{0}, 10 * kMs, 19 * kMs})
+        EXPECT_EQ(size_of(gate.passed({.force_n = {0.1, 0.0}, .ticks = 0}, now_ns)), 0.0) << now_ns;
 }
 
 TEST(ForceGate, GrowsFromNothingToAllInASecond) {
