@@ -132,8 +132,9 @@ void DeviceGroup::write(const dvec3& force_n) noexcept {
         // In and out of use, so that motors cool while another works.
         const dvec3 wanted_n = device == holder_ ? force_n : dvec3(0.0);
         const dvec3 given_n = apply_stages(kMotorStages, wanted_n, input, motors.limits, motors.state);
+        const double given_size_n = std::sqrt(glm::dot(given_n, given_n));
         motors.given_fraction =
-            device == holder_ && written_n > 0.0 ? std::sqrt(glm::dot(given_n, given_n)) / written_n : 0.0;
+            device == holder_ && written_n > 0.0 ? std::min(1.0, given_size_n / written_n) : 0.0;
         devices_[device]->write(given_n);
     }
 }

@@ -18,6 +18,9 @@ SafetyLimits limits_for(const DeviceCapabilities& device) {
         constexpr double kAnySpeedMmS = 1e9;
         limits.brake_speed_mm_s = limits.stop_speed_mm_s = kAnySpeedMmS;
     }
+    // Nor can one be fed: a finger on a screen comes down anywhere, also deep in the work.
+    constexpr double kAnyEnergyMj = 1e9;
+    if (!device.has_motors || device.force_axes == 0) limits.most_generated_mj = kAnyEnergyMj;
     if (device.report_rate_hz > 0.0) limits.device_period_s = 1.0 / device.report_rate_hz;
     return limits;
 }
@@ -34,6 +37,10 @@ std::string_view words_for(Fault fault) {
             return "the tool was outside the workspace";
         case Fault::kStopped:
             return "the force was stopped";
+        case Fault::kInputNotSound:
+            return "the time, the applied fraction or the driven part of the force was out of bounds";
+        case Fault::kEnergyGenerated:
+            return "the device gave more energy than it took";
     }
     return "unknown fault";
 }
@@ -41,6 +48,7 @@ std::string_view words_for(Fault fault) {
 void restart_ramp(SafetyState& state) noexcept {
     state.ramp = 0.0;
     state.calm_ticks = 0;
+    state.generated_mj = 0.0;
 }
 
 void rearm(SafetyState& state) noexcept {
@@ -53,6 +61,18 @@ namespace {
 
 bool finite(const dvec3& v) noexcept {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// No comparison holds for NaN.
+bool is_within(const dvec3& v, double most) noexcept {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
+}
+
+// Whether stages can reckon with it.
+bool is_sound(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits) noexcept {
+    return input.dt_s >= 0.0 && input.dt_s <= limits.longest_tick_s && input.applied_fraction >= 0.0 &&
+           input.applied_fraction <= 1.0 && is_within(input.driven_force_n, limits.most_driven_n) &&
+           finite(force_n);
 }
 
 bool is_zero(const dvec3& v) noexcept {
@@ -99,12 +119,12 @@ dvec3 gate(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
     const dvec3& at = input.position_mm;
     if (!safety::finite(at)) {
         latch(state, Fault::kPositionNotFinite);
-    } else if (std::abs(at.x) > limits.workspace_mm || std::abs(at.y) > limits.workspace_mm ||
-               std::abs(at.z) > limits.workspace_mm) {
+    } else if (!safety::is_within(at, limits.workspace_mm)) {
         latch(state, Fault::kOutsideWorkspace);
-    } else if (!safety::finite(force_n) || !safety::finite(input.velocity_mm_s) ||
-               !safety::finite(input.driven_force_n)) {
-        latch(state, Fault::kForceNotFinite);
+    } else if (!safety::is_sound(force_n, input, limits) || !safety::finite(input.velocity_mm_s)) {
+        const bool is_finite = safety::finite(force_n) && safety::finite(input.driven_force_n) &&
+                               safety::finite(input.velocity_mm_s);
+        latch(state, is_finite ? Fault::kInputNotSound : Fault::kForceNotFinite);
     } else if (input.stop) {
         latch(state, Fault::kStopped);
     } else {
@@ -170,6 +190,12 @@ dvec3 passivity(const dvec3& force_n, const SafetyInput& input, const SafetyLimi
         std::max(0.0, input.applied_fraction * glm::dot(state.applied_driven_n, step_mm));
     state.energy_mj =
         std::clamp(state.energy_mj + taken_mj + driven_mj, -limits.energy_debt_mj, limits.energy_credit_mj);
+    const double forgotten = std::min(1.0, input.dt_s / limits.generated_memory_s);
+    state.generated_mj = std::max(0.0, state.generated_mj * (1.0 - forgotten) - taken_mj - driven_mj);
+    if (state.generated_mj > limits.most_generated_mj) {
+        latch(state, Fault::kEnergyGenerated);
+        return safety::no_force(state);
+    }
     if (safety::is_zero(force_n)) {
         state.energy_mj -= state.energy_mj * std::min(1.0, input.dt_s / limits.forget_s);
         return force_n;
@@ -226,13 +252,27 @@ dvec3 ramp(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
 
 dvec3 budget(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
              SafetyState& state) noexcept {
-    const double heating = glm::dot(state.applied_force_n, state.applied_force_n);
-    state.heat_n2 += (heating - state.heat_n2) * std::min(1.0, input.dt_s / limits.budget_s);
+    // Heats by at least as much, and cools by at most as much, as the exact mean: 1 - exp(-part) lies between
+    // part - part^2/2 and part.
+    const double part = std::min(1.0, input.dt_s / limits.budget_s);
+    const double warmer_n2 = glm::dot(state.applied_force_n, state.applied_force_n) - state.heat_n2;
+    state.heat_n2 += warmer_n2 * (warmer_n2 > 0.0 ? part : part - 0.5 * part * part);
+
     const double full_n2 = limits.continuous_force_n * limits.continuous_force_n;
-    if (limits.continuous_force_n >= limits.peak_force_n || state.heat_n2 <= 0.5 * full_n2) return force_n;
-    const double spent = std::min(1.0, 2.0 * state.heat_n2 / full_n2 - 1.0);
-    return safety::at_most(
-        force_n, limits.peak_force_n + (limits.continuous_force_n - limits.peak_force_n) * spent, state);
+    if (limits.continuous_force_n >= limits.peak_force_n) return force_n;
+    double most_n = limits.peak_force_n;
+    if (state.heat_n2 > limits.budget_knee * full_n2) {
+        const double spent =
+            std::min(1.0, (state.heat_n2 / full_n2 - limits.budget_knee) / (1.0 - limits.budget_knee));
+        most_n += (limits.continuous_force_n - limits.peak_force_n) * spent;
+    }
+    // Nor may one tick, however long, lift the mean beyond its full value.
+    const double room_n2 = full_n2 - state.heat_n2;
+    if ((most_n * most_n - state.heat_n2) * limits.longest_tick_s > room_n2 * limits.budget_s) {
+        most_n =
+            std::sqrt(std::max(full_n2, state.heat_n2 + room_n2 * (limits.budget_s / limits.longest_tick_s)));
+    }
+    return most_n < limits.peak_force_n ? safety::at_most(force_n, most_n, state) : force_n;
 }
 
 dvec3 clamp(const dvec3& force_n, const SafetyInput& /*input*/, const SafetyLimits& limits,
@@ -280,11 +320,19 @@ dvec3 slew(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
 
 namespace {
 
-dvec3 through(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
-              const SafetyLimits& limits, SafetyState& state) noexcept {
+// Inline, so that the compiler knows the stages of the chain, whose last one keeps the applied force.
+inline dvec3 through(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
+                     const SafetyLimits& limits, SafetyState& state) noexcept {
     state.driven_force_n = input.driven_force_n;
-    dvec3 force = force_n;
-    for (const SafetyStage& stage : stages)
+    const bool is_gated = !stages.empty() && stages.front().apply == &gate;
+    dvec3 force = is_gated ? gate(force_n, input, limits, state) : force_n;
+    // What a gate lets through is sound.
+    const bool is_open = is_gated && state.fault == Fault::kNone;
+    if (!is_open && !safety::is_sound(force_n, input, limits)) {
+        restart_ramp(state);
+        return apply(state, dvec3(0.0), dvec3(0.0));
+    }
+    for (const SafetyStage& stage : stages.subspan(is_gated ? 1 : 0))
         force = stage.apply(force, input, limits, state);
     return force;
 }
@@ -299,8 +347,7 @@ dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input, const S
 dvec3 apply_stages(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
                    const SafetyLimits& limits, SafetyState& state) noexcept {
     const dvec3 force = through(stages, force_n, input, limits, state);
-    state.applied_driven_n = state.driven_force_n;
-    return state.applied_force_n = force;
+    return apply(state, force, state.driven_force_n);
 }
 
 }  // namespace onggi::haptics

@@ -31,6 +31,9 @@ constexpr double kKioskPeakForceN = 3.3;
 constexpr double kKioskContinuousForceN = 0.88;
 
 struct SafetyLimits {
+    // every stage: an input beyond these, or not a number, is not sound
+    double longest_tick_s = 0.1;  // five times two periods of the slowest loop
+    double most_driven_n = 1e6;   // of each coordinate of the driven part: its work stays a finite number
     // gate
     double workspace_mm = kWorkspaceMm;  // each coordinate within +-
     // speed: in contact, a brake replaces the force above the first speed; above the second the force is
@@ -49,6 +52,9 @@ struct SafetyLimits {
     double energy_credit_mj = 0.02;  // dissipation long ago must not pay for a vibration now
     double energy_debt_mj = 10.0;    // bounds how long the damping stays on
     double forget_s = 0.05;          // out of contact
+    // what the device may give, less what it takes and what the wheel drives, over the memory
+    double most_generated_mj = 250.0;
+    double generated_memory_s = 1.0;
     // hand: the hand is absent, or the position is stale.
     int stale_ticks = 2;
     double device_period_s = 0.0;  // a device slower than the loop is stale after two of its own periods
@@ -62,6 +68,7 @@ struct SafetyLimits {
     // continuous_force_n.
     double continuous_force_n = kKioskPeakForceN;
     double budget_s = 10.0;
+    double budget_knee = 0.5;  // of the full mean; up to here the peak is allowed
     // clamp
     double peak_force_n = kKioskPeakForceN;
     // slew
@@ -77,11 +84,11 @@ struct SafetyLimits {
 // mm).
 struct SafetyInput {
     dvec3 position_mm{0.0};         // of the tool, as the device reported it
-    double dt_s = 0.0;              // since the last tick: one step, two at most
+    double dt_s = 0.0;              // since the last tick: one step, two at most; 0 to longest_tick_s
     dvec3 velocity_mm_s{0.0};       // of the tool, from a windowed estimator: velocity_estimator.h
     dvec3 driven_force_n{0.0};      // the part that the wheel's motor drives: the drag of the turning work
-    double applied_fraction = 1.0;  // fraction of the chain's last force that was applied: a device may have
-                                    // ramps and limits of its own
+    double applied_fraction = 1.0;  // fraction of the chain's last force that was applied, 0 to 1: a device
+                                    // may have ramps and limits of its own
     std::uint32_t late = 0;         // periods missed since the last tick
     bool position_is_new = true;    // the device has refreshed it since the last tick
     bool hand_is_there = true;      // a dead-man's switch, an inkwell, a capacitive grip
@@ -94,6 +101,8 @@ enum class Fault : std::uint8_t {
     kPositionNotFinite,
     kOutsideWorkspace,
     kStopped,  // by a person, or by a watchdog on their behalf
+    kInputNotSound,
+    kEnergyGenerated,
 };
 // Text for logs and screens.
 [[nodiscard]] std::string_view words_for(Fault fault);
@@ -118,6 +127,7 @@ struct SafetyState {
     double damping_n_s_per_mm = 0.0;  // added by the controller now
     double taken_mj = 0.0;            // by the device from the hand, since the state was made
     double given_mj = 0.0;            // by the device to the hand, a turning wheel's fraction included
+    double generated_mj = 0.0;        // given less taken and driven in the last second, never below zero
 
     double stale_s = 0.0;  // since the position was refreshed
     int stale_ticks = 0;
@@ -126,7 +136,7 @@ struct SafetyState {
     double heat_n2 = 0.0;  // mean of the squared force
 };
 
-// Restarts from zero force through the ramp; a latched fault stays.
+// Restarts from zero force through the ramp, with no energy generated; a latched fault stays.
 void restart_ramp(SafetyState& state) noexcept;
 // Clears a latched fault. The force starts from zero through the ramp; a cause that persists latches again on
 // the next tick.
@@ -135,10 +145,10 @@ void rearm(SafetyState& state) noexcept;
 // The stages of the safety chain, each usable and tested alone: force in, force out. A stage keeps its memory
 // in the state and its bounds in the limits, and has no other input or output. A stage that scales the force
 // scales its driven part alike. Any one thread at a time; no stage allocates, locks, reads a clock or fails.
-// mm, N, s, mJ.
+// Only the gate may get an input that is not sound (apply_stages). mm, N, s, mJ.
 
-// gate: a force or position that is not finite, a tool outside the workspace, or a stop request latches a
-// fault; the force is zero while a fault is latched.
+// gate: a number that is not finite, an input that is not sound, a tool outside the workspace, or a stop
+// request latches a fault; the force is zero while a fault is latched.
 dvec3 gate(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 
 // speed: a tool that moves faster in contact than a potter's hand has been thrown or shaken. A brake replaces
@@ -160,6 +170,8 @@ dvec3 late(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, Safety
 //   damping on single encoder steps itself caused a vibration of 0.4 mm at 4 kHz on the bench of stability.h.
 // Differs: the balance is clamped between a small credit and a debt, and decays out of contact: a long
 //   press would otherwise pay for minutes of vibration.
+// Differs: a device that has generated more than most_generated_mj is let go, and a fault is latched: no
+//   damping within the controller's limit stops that loop.
 dvec3 passivity(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 
 // hand: if the hand is absent or the position stale, the force falls to zero within some ms. From zero it
@@ -170,8 +182,9 @@ dvec3 hand(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, Safety
 dvec3 ramp(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 
 // budget: the peak force for a moment, the continuous force for ever. The bound falls from peak to continuous
-// force while the mean of the squared force rises from half of the continuous force's square to its full
-// value, so the mean never exceeds that.
+// force while the mean of the squared force rises from budget_knee of the continuous force's square to its
+// full value, and is always so low that the longest tick cannot lift the mean beyond that. The kept mean is
+// never below the exact one, so that neither exceeds it, however long each tick is.
 dvec3 budget(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 
 // clamp: at most the peak force. It scales the vector, since clamping each axis would change the direction.
@@ -216,8 +229,10 @@ inline constexpr std::array<SafetyStage, 3> kMotorStages{{
     {"clamp", "this device's own peak force, direction kept", &clamp},
 }};
 
-// Applies the stages in order. The slew stage stores the applied force in the state; without a slew stage
-// this function stores it.
+// Applies the stages in order and stores the applied force in the state. An input that is not sound (time,
+// applied fraction or driven part out of bounds, a force that is not finite) reaches no stage but a gate at
+// their head, which latches a fault: the force is zero and the ramp restarts. Without a gate nothing is
+// latched, because nobody rearms a hand's motors.
 dvec3 apply_stages(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
                    const SafetyLimits& limits, SafetyState& state) noexcept;
 

@@ -154,8 +154,8 @@ LoopMotion run_loop(const DeviceCapabilities& device, const LoopSetting& setting
         low_mm = std::min(low_mm, body.x_mm);
         high_mm = std::max(high_mm, body.x_mm);
         if (tick >= ticks * 3 / 4) motion.energy_mj += given_mj;
-        constexpr double kGoneMm = 1e4;  // it has clearly diverged
-        if (!(std::abs(body.x_mm) < kGoneMm)) {
+        constexpr double kGoneMm = 1e4;  // it has clearly diverged, as has what the chain had to let go
+        if (!(std::abs(body.x_mm) < kGoneMm) || safety.fault != Fault::kNone) {
             motion.swing_mm = kGoneMm;
             motion.earlier_swing_mm = 0.0;
             return motion;

@@ -1,20 +1,27 @@
 """Removes the mechanism of each safety property from the source, one at a time, and expects a test to fail.
 
-  python3 tests/haptics/mutations.py BUILD [NUMBER ...]
+  mutations.py FOLDER [WORDS]   Exit 0 when every mutation was noticed, 1 when one was not. An hour or two. Mutates a copy of
+                                the checkout in FOLDER, which it builds there; a copy of before is brought up to date.
+                                WORDS: only the mutations whose names or test programs hold them.
+  mutations.py --check          Exit 1 when a mutation quotes a text that its file does not hold exactly once: it names all.
 
-BUILD is a configured build folder, for example build/release. The tree must be clean: a mutation is written into it,
-built, tried, and taken back. Some ten minutes. Exit 0 when every mutation was noticed, 1 when one was not.
+Besides the mutations written here, every number of SafetyLimits and of ForceGateLimits is made a tenth larger.
 """
+import itertools
 import os
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CHAIN = "engine/haptics/safety_chain.cpp"
+HEADER = "engine/haptics/safety_chain.h"
 PROPERTIES = "haptics_safety_properties"
 HID = "engine/haptics/hid"
-LONGEST_S = 120
+GATE = f"{HID}/force_gate.cpp"
 
 
 def begun(stage):
@@ -114,8 +121,8 @@ MUTATIONS = [
                                              "is_worse) told = std::move(status);\n"
                                              "        if (is_worse) break;"), "unit_hid"),
     (12, "the ramp after a reopening", (CHAIN, "            restart_ramp(state);\n", ""), PROPERTIES),
-    (13, "the tick without allocation", ("game/haptic/job.cpp", "    obey_commands();\n    put_on_states();\n",
-                                         "    obey_commands();\n    delete new HapticState(start_);\n"
+    (13, "the tick without allocation", ("game/haptic/job.cpp", "    apply_commands();\n    put_on_states();\n",
+                                         "    apply_commands();\n    delete new HapticState(start_);\n"
                                          "    put_on_states();\n"), "haptics_quiet_tick"),
     (14, "the dead man's switch", (CHAIN, "input.hand_is_there && !is_stale",
                                    "input.dt_s >= 0.0 && !is_stale"), PROPERTIES),
@@ -127,53 +134,201 @@ MUTATIONS = [
      PROPERTIES),
     (15, "the record of what was felt", ("game/haptic/job.cpp", "    record.tool = state_.tool;\n",
                                          "    record.tool = start_.tool;\n"), PROPERTIES),
+
+    # Every check of the gate, and of what is sound.
+    (5, "the check of the position for finite", (CHAIN, "    if (!safety::finite(at)) {", "    if (input.dt_s == 77.0) {"),
+     "unit_haptics"),
+    (5, "the workspace", (CHAIN, "} else if (!safety::is_within(at, limits.workspace_mm)) {",
+                          "} else if (input.dt_s == 77.0) {"), "unit_haptics"),
+    *[(5, f"the bound along {axis}", (CHAIN, f"std::abs(v.{axis}) <= most", "true"), "unit_haptics") for axis in "xyz"],
+    *[(5, f"finiteness along {axis}", (CHAIN, f"std::isfinite(v.{axis})", "true"), "unit_haptics") for axis in "xyz"],
+    (5, "the check of the velocity for finite", (CHAIN, " || !safety::finite(input.velocity_mm_s)) {", ") {"), "unit_haptics"),
+    (5, "the fault of an input that is not sound", (CHAIN, "        latch(state, is_finite ? Fault::kInputNotSound : "
+                                                          "Fault::kForceNotFinite);\n",
+                                                    "        (void)is_finite;\n"), "unit_haptics"),
+    (5, "the word for a force that is not finite", (CHAIN, "is_finite = safety::finite(force_n) && ", "is_finite = "),
+     "unit_haptics"),
+    (5, "the word for a driven part that is not finite", (CHAIN, "&& safety::finite(input.driven_force_n) &&", "&&"),
+     "unit_haptics"),
+    (5, "the word for a velocity that is not finite", (CHAIN, "input.driven_force_n) &&\n                               "
+                                                              "safety::finite(input.velocity_mm_s);",
+                                                       "input.driven_force_n);"), "unit_haptics"),
+    (5, "the gate at the head of the chain", (CHAIN, "is_gated ? gate(force_n, input, limits, state) : force_n", "force_n"),
+     "unit_haptics"),
+    (5, "the check of all inputs where there is no gate", (CHAIN, "!safety::is_sound(force_n, input, limits)) {\n        restart",
+                                                           "input.dt_s == 77.0) {\n        restart"), "unit_haptics"),
+    (5, "the ramp after an input that is not sound", (CHAIN, "        restart_ramp(state);\n        return apply(state,",
+                                                      "        return apply(state,"), "unit_haptics"),
+    (5, "the least time", (CHAIN, "input.dt_s >= 0.0 && ", ""), "unit_haptics"),
+    (5, "the longest time", (CHAIN, " && input.dt_s <= limits.longest_tick_s", ""), "unit_haptics"),
+    (5, "the least applied fraction", (CHAIN, " && input.applied_fraction >= 0.0", ""), "unit_haptics"),
+    (5, "the largest applied fraction", (CHAIN, "input.applied_fraction <= 1.0 && ", ""), "unit_haptics"),
+    (5, "the bound of the driven part", (CHAIN, "is_within(input.driven_force_n, limits.most_driven_n) &&", "true &&"),
+     "unit_haptics"),
+    (5, "the check of the force for finite", (CHAIN, "           finite(force_n);\n", "           true;\n"), "unit_haptics"),
+    (4, "the fourth small tick of the ramp", (CHAIN, "state.calm_ticks <= limits.small_force_ticks) {",
+                                              "state.calm_ticks < limits.small_force_ticks) {"), "unit_haptics"),
+    # What the stages do with time.
+    (8, "the slowness of the return", (CHAIN, "input.dt_s / limits.return_s", "input.dt_s / limits.decay_s"), "unit_haptics"),
+    (11, "the missed periods in the lateness", (CHAIN, "limits.late_memory_s * (1.0 + missed)", "limits.late_memory_s"),
+     "unit_haptics"),
+    (11, "the lateness of the tick", (CHAIN, "missed / (1.0 + missed)", "missed > 0.0 ? 1.0 : 0.0"), "unit_haptics"),
+    (1, "the knee of the budget", (HEADER, "budget_knee = 0.5;", "budget_knee = 0.9;"), "unit_haptics"),
+    (1, "the exactness of the cooling", (CHAIN, "part - 0.5 * part * part", "part"), "unit_haptics"),
+    (1, "the bound of what one tick heats", (CHAIN, "> room_n2 * limits.budget_s) {", "> 1e9 * limits.budget_s) {"),
+     "unit_haptics"),
+    (3, "the speed of the release", (CHAIN, "before_n - limits.release_n_per_s * input.dt_s",
+                                     "before_n - 4.0 * limits.release_n_per_s * input.dt_s"), "unit_haptics"),
+    (3, "the stillness of the direction in the release", (CHAIN, "        if (held_n > wanted_n) return apply(state, held, "
+                                                         "held_driven);\n", ""), "unit_haptics"),
+    (6, "the ramp after a tool that was too fast", (CHAIN, "        ++state.speed_stops;\n        restart_ramp(state);\n",
+                                                    "        ++state.speed_stops;\n"), "unit_haptics"),
+    (6, "the brake against the motion", (CHAIN, ", state) - v * (limits.brake", ", state) + v * (limits.brake"), "unit_haptics"),
+    # The energy.
+    (9, "the fault of a device that gives energy", (CHAIN, "        latch(state, Fault::kEnergyGenerated);\n", ""),
+     "unit_haptics"),
+    (9, "what the wheel drives in the energy given", (CHAIN, " - taken_mj - driven_mj);", " - taken_mj);"), "unit_haptics"),
+    (9, "the floor of the energy given", (CHAIN, "state.generated_mj = std::max(0.0, ", "state.generated_mj = std::max(-1e9, "),
+     "unit_haptics"),
+    (9, "the end of the energy given with the ramp", (CHAIN, "    state.generated_mj = 0.0;\n", ""), "unit_haptics"),
+    (9, "the energy of devices without motors", (CHAIN, "if (!device.has_motors || device.force_axes == 0) limits.most_gen",
+                                                 "if (device.force_axes == 0) limits.most_gen"), "unit_haptics"),
+    (9, "the energy of devices without force", (CHAIN, "if (!device.has_motors || device.force_axes == 0) limits.most_gen",
+                                                "if (!device.has_motors) limits.most_gen"), "unit_haptics"),
+    # The motors of a hand, by the stage.
+    *[(1, f"the {stage} of a hand's motors", [(HEADER, "array<SafetyStage, 3> kMotorStages", "array<SafetyStage, 2> kMotorStages"),
+                                              (HEADER, row, "")], "unit_haptics")
+      for stage, row in (
+          ("ramp", '    {"ramp", "from zero to full force once a device has the tool and the force is small", &ramp},\n'),
+          ("budget", '    {"budget", "this device\'s own mean force, while it works and while it rests", &budget},\n'),
+          ("clamp", '    {"clamp", "this device\'s own peak force, direction kept", &clamp},\n'))],
+    # What a device's own limits do to the chain's.
+    (1, "the lower peak of a weak device", (CHAIN, "limits.peak_force_n = std::min(limits.peak_force_n, device.peak_force_n);",
+                                            "limits.peak_force_n = device.peak_force_n;"), "unit_haptics"),
+    (1, "the profile's continuous force", (CHAIN, "kKioskContinuousForceN, device.cont", "device.continuous_force_n, device.cont"),
+     "unit_haptics"),
+    (8, "the period of a slow device", (CHAIN, "limits.device_period_s = 1.0 / device.report_rate_hz;",
+                                        "limits.device_period_s = 0.1 / device.report_rate_hz;"), "unit_haptics"),
+    # The last gate, on the device's thread.
+    (7, "the end of a loop that is dead", (GATE, "now_ns - last_order_ns_ > limits_.starved_ns;", "false;"), "unit_hid"),
+    (7, "the zero before the first order", (GATE, "order.ticks == 0 || ", ""), "unit_hid"),
+    (7, "the wait of the gate for a small force", (GATE, "        if (size_n > limits_.small_n) return allowed;\n", ""),
+     "unit_hid"),
+    (7, "the ramp of the gate", (GATE, "fraction_ = ramp * (size_n", "fraction_ = (size_n"), "unit_hid"),
+    (7, "the ramp of the gate after nonsense", (GATE, "        restart();\n", ""), "unit_hid"),
+    (1, "the peak of the gate", (GATE, "size_n > limits_.peak_n ? limits_.peak_n / size_n : 1.0", "1.0"), "unit_hid"),
+    (1, "the third axis in the gate's peak", (GATE, "order.force_n.y * order.force_n.y +\n", "order.force_n.y * order.force_n.y + 0.0 *\n"),
+     "unit_hid"),
+    (5, "the check of the force in the gate", (GATE, "std::isfinite(size_n) && ", ""), "unit_hid"),
+    (5, "the check of the tool's radius in the gate", (GATE, "std::isfinite(order.tool_mm.x) && ", ""), "unit_hid"),
+    (5, "the check of the tool's height in the gate", (GATE, " && std::isfinite(order.tool_mm.y);", ";"), "unit_hid"),
+
 ]
 
 
-def run(*words):
-    return subprocess.run(words, cwd=ROOT, capture_output=True, text=True)
+def numbers_of(file, struct, program):
+    """A mutation for each number of a struct: a tenth more, and of a whole number one."""
+    body = re.search(rf"\nstruct {struct} {{\n(.*?)\n}};\n", (ROOT / file).read_text(), re.S).group(1)
+    rows = re.findall(r"    ((double|int|std::int64_t) (\w+) = )([^;]+);", body)
+    for line, kind, name, value in rows:
+        more = {"double": f"({value}) == 0.0 ? 0.001 : 1.1 * ({value})", "int": f"({value}) + 1"}.get(kind, f"({value}) * 11 / 10")
+        yield (0, f"{struct}::{name} a tenth larger", (file, f"    {line}{value};", f"    {line}{more};"), program)
 
 
-def noticed(build, what, program):
-    built = run("cmake", "--build", build, "--target", program)
-    if built.returncode != 0:
-        sys.exit(f"mutations: without {what}: expected it to compile, found:\n{built.stdout[-3000:]}")
-    # Some mutations make a test hang; that counts as noticed. Its child processes are not waited for.
-    test = str(pathlib.Path(build) / "tests" / program)
-    quiet = subprocess.DEVNULL
-    try:
-        return subprocess.run([test], cwd=ROOT, stdout=quiet, stderr=quiet, timeout=LONGEST_S).returncode != 0
-    except subprocess.TimeoutExpired:
-        return True
+def all_mutations():
+    numbers = [*numbers_of(HEADER, "SafetyLimits", "unit_haptics"), *numbers_of(f"{HID}/force_gate.h", "ForceGateLimits", "unit_hid")]
+    constants = [(0, f"{name} a tenth larger", (HEADER, f"constexpr double {name} = ", f"constexpr double {name} = 1.1 * "),
+                  "unit_haptics") for name in ("kKioskPeakForceN", "kKioskContinuousForceN")]
+    for number, what, edits, program in MUTATIONS + numbers + constants:
+        yield number, what, edits if isinstance(edits, list) else [edits], program
+
+
+def stale():
+    """One line for each quoted text that its file does not hold exactly once."""
+    for number, what, edits, _ in all_mutations():
+        for name, text, _ in edits:
+            found = (ROOT / name).read_text().count(text) if (ROOT / name).exists() else 0
+            if found != 1:
+                yield f"mutations: {number} without {what}: {name}: expected once {text!r}, found it {found} times"
+
+
+class Copy:
+    """The checkout, in a folder where it may be changed."""
+
+    LEFT_OUT = {"build", ".git", "node_modules", "__pycache__"}
+
+    def __init__(self, folder):
+        self.root = folder / "checkout"
+        self.build = folder / "build"
+        kept = set()
+        for at, folders, files in os.walk(ROOT):
+            folders[:] = [name for name in folders if name not in self.LEFT_OUT]
+            for name in set(files) - self.LEFT_OUT:
+                source = pathlib.Path(at) / name
+                place = self.root / source.relative_to(ROOT)
+                kept.add(place)
+                if not place.exists() or place.read_bytes() != source.read_bytes():
+                    place.parent.mkdir(parents=True, exist_ok=True)
+                    shutil.copy(source, place)
+        for place in [path for path in self.root.rglob("*") if path.is_file() and path not in kept]:
+            place.unlink()
+        if not self.run("cmake", "--preset", "dev", "-B", str(self.build), "-DONGGI_TESTS=ON"):
+            sys.exit(1)
+
+    def run(self, *words):
+        done = subprocess.run(words, cwd=self.root, capture_output=True, text=True)
+        if done.returncode != 0:
+            print(f"mutations: {' '.join(words)}: expected it to work, found:\n{(done.stdout + done.stderr)[-3000:]}")
+        return done.returncode == 0
+
+    def builds(self, *programs):
+        return self.run("cmake", "--build", str(self.build), "--target", *programs)
+
+    def passes(self, program, longest_s):
+        # Some wait for what never comes: that is noticed too. Nobody waits for what they have started themselves.
+        quiet = subprocess.DEVNULL
+        try:
+            test = [str(self.build / "tests" / program)]
+            return subprocess.run(test, cwd=self.root, stdout=quiet, stderr=quiet, timeout=longest_s).returncode == 0
+        except subprocess.TimeoutExpired:
+            return False
+
+    def mutated(self, edits):
+        """Writes the edits; gives what takes them back."""
+        before = {}
+        for name, text, instead in edits:
+            source = (self.root / name).read_text()
+            before.setdefault(name, source)
+            (self.root / name).write_text(source.replace(text, instead))
+        return before
 
 
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    build = sys.argv[1]
-    wanted = {int(word) for word in sys.argv[2:]}
-    if run("git", "status", "--porcelain", "--untracked-files=no").stdout:
-        sys.exit("mutations: expected a clean tree, found changes that a mutation would be mixed with")
+    faults = list(stale())
+    if faults or sys.argv[1] == "--check":
+        print("\n".join(faults) or f"{len(list(all_mutations()))} mutations, each of text that stands there once")
+        return 1 if faults else 0
+    wanted = [mutation for mutation in all_mutations() if " ".join(sys.argv[2:]) in f"{mutation[1]} {mutation[3]}"]
+    wanted.sort(key=lambda mutation: mutation[3])
+    copy = Copy(pathlib.Path(sys.argv[1]).resolve())
+    if not copy.builds(*sorted({mutation[3] for mutation in wanted})):
+        return 1
     missed = 0
-    for number, what, edits, program in MUTATIONS:
-        if wanted and number not in wanted:
-            continue
-        edits = edits if isinstance(edits, list) else [edits]
-        before = {name: (ROOT / name).read_text() for name, _, _ in edits}
-        try:
-            for name, text, instead in edits:
-                source = (ROOT / name).read_text()
-                if source.count(text) != 1:
-                    sys.exit(f"mutations: {name}: expected once {text!r}, found it {source.count(text)} times")
-                (ROOT / name).write_text(source.replace(text, instead))
-            seen = noticed(build, what, program)
-        finally:
+    for program, mutations in itertools.groupby(wanted, key=lambda mutation: mutation[3]):
+        copy.builds(program)
+        began = time.monotonic()
+        if not copy.passes(program, None):
+            sys.exit(f"mutations: {program}: expected it to pass as it is, found that it fails")
+        longest_s = 60 + 10 * (time.monotonic() - began)
+        for number, what, edits, _ in mutations:
+            before = copy.mutated(edits)
+            seen = copy.builds(program) and not copy.passes(program, longest_s)
             for name, source in before.items():
-                (ROOT / name).write_text(source)
-        missed += not seen
-        print(f"{number:2} without {what}: {'noticed' if seen else 'NOT NOTICED'}", flush=True)
-    for program in {mutation[3] for mutation in MUTATIONS}:  # with the original source
-        run("cmake", "--build", build, "--target", program)
+                (copy.root / name).write_text(source)
+            missed += not seen
+            print(f"{number:2} without {what}: {'noticed' if seen else 'NOT NOTICED'}", flush=True)
     return 1 if missed else 0
 
 

@@ -247,6 +247,52 @@ TEST(House, EveryFileThatIsNamedExists) {
     }
 }
 
+// The words of a text, as C++ has them.
+std::set<std::string> words_of(std::string_view text) {
+    const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    std::set<std::string> found;
+    for (auto at = text.begin(); at != text.end();) {
+        const auto begin = std::find_if(at, text.end(), is_of_word);
+        at = std::find_if_not(begin, text.end(), is_of_word);
+        if (begin != at) found.emplace(begin, at);
+    }
+    return found;
+}
+
+// The names in a document's back quotes that are a word of code: `SafetyLimits`, `HandSigns::force_fraction`,
+// `rearm()`.
+std::vector<std::string> quoted_names(const std::string& text) {
+    static const std::regex name(R"(`((\w+::)*[A-Za-z]\w*)(\(\))?`)");
+    std::vector<std::string> found;
+    for (std::sregex_iterator at(text.begin(), text.end(), name), end; at != end; ++at)
+        found.push_back((*at)[1]);
+    return found;
+}
+
+// A document that quotes a name has to follow when it is renamed.
+TEST(House, EveryNameThatADocumentQuotesStandsInAFile) {
+    std::set<std::string> known;
+    const auto files = kept_files();
+    const std::regex written(
+        R"((.*\.(h|cpp|glsl|vert|frag|comp|py|sh|cmake|txt|toml|csv|tsv|in))|check|run)");
+    for (const std::string& file : files)
+        if (std::regex_match(file, written)) known.merge(words_of(read_text(test::in_checkout(file))));
+    for (const std::string& file : files) {
+        const bool is_of_a_room =
+            file.starts_with("engine/") || file.starts_with("game/") || file.starts_with("shaders/");
+        if (!is_of_a_room || !file.ends_with(".md")) continue;
+        for (const std::string& named : quoted_names(read_text(test::in_checkout(file))))
+            for (const std::string& word : words_of(named))
+                EXPECT_TRUE(known.contains(word)) << file << ": expected " << named << ", found none";
+    }
+}
+
+TEST(QuotedNames, AreThoseOfCode) {
+    EXPECT_EQ(quoted_names("`SafetyLimits` of `a::b::c_d`, `rearm()`, not `a/b.h`, `x + y` or plain"),
+              (std::vector<std::string>{"SafetyLimits", "a::b::c_d", "rearm"}));
+    EXPECT_EQ(words_of("a::b_1(c)"), (std::set<std::string>{"a", "b_1", "c"}));
+}
+
 TEST(House, EveryLinkOfADocumentLeadsToAFile) {
     const std::regex link(R"(\]\(([^()\s#]+)(#[^()\s]*)?\))");
     for (const std::string& file : kept_files()) {

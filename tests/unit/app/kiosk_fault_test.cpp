@@ -19,7 +19,8 @@ namespace {
 using haptics::Fault;
 
 TEST(KioskFault, LetsTheVisitorGoOnAndTriesAgainAfterEachRest) {
-    for (const Fault fault : {Fault::kPositionNotFinite, Fault::kOutsideWorkspace}) {
+    for (const Fault fault : {Fault::kPositionNotFinite, Fault::kOutsideWorkspace, Fault::kInputNotSound,
+                              Fault::kEnergyGenerated}) {
         KioskFault kiosk;
         EXPECT_FALSE(kiosk.look(Fault::kNone, 0.0).force_rests);
         int tries = 0;

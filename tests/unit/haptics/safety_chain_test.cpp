@@ -16,13 +16,7 @@
 namespace onggi::haptics {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const SafetyInput kInside{.position_mm = {60.0, 100.0, 0.0}, .dt_s = kSafetyDt};
-
-double length(const dvec3& v) {
-    return std::sqrt(glm::dot(v, v));
-}
 
 class RandomForces {
   public:
@@ -207,6 +201,19 @@ TEST(SafetyGate, ComesBackThroughTheRampAfterRearm) {
         before = now;
     }
     EXPECT_NEAR(before, 2.0, 1e-9);
+    EXPECT_EQ(state.fault, Fault::kNone);
+}
+
+TEST(SafetyGate, StopsOnRequestUntilItIsRearmedWithoutOne) {
+    SafetyState state = engaged();
+    state.applied_force_n = kPush;
+    SafetyInput stop = kInside;
+    stop.stop = true;
+    EXPECT_EQ(apply_safety_chain(kPush, stop, {}, state), dvec3(0.0));
+    EXPECT_EQ(state.fault, Fault::kStopped);
+    EXPECT_EQ(apply_safety_chain(kPush, kInside, {}, state), dvec3(0.0));
+    EXPECT_EQ(state.fault, Fault::kStopped);
+    rearm(state);
     EXPECT_EQ(state.fault, Fault::kNone);
 }
 

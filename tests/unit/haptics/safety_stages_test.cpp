@@ -11,8 +11,6 @@
 namespace onggi::haptics {
 namespace {
 
-const dvec3 kPush(1.0, 0.0, 0.0);
-
 SafetyInput at_speed(double mm_s) {
     return {.position_mm = {60.0, 100.0, 0.0}, .dt_s = kSafetyDt, .velocity_mm_s = {-mm_s, 0.0, 0.0}};
 }

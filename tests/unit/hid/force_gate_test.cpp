@@ -28,6 +28,9 @@ std::int64_t ready(ForceGate& gate, std::uint64_t& ticks) {
 TEST(ForceGate, GivesNothingBeforeTheFirstTick) {
     ForceGate gate;
     EXPECT_EQ(size_of(gate.passed({.force_n = {1.0, 0.0}, .ticks = 0}, 0)), 0.0);
+    // Not even a small force, as soon as the clock has begun.
+    for (const std::int64_t now_ns : {std::int64_t{0}, 10 * kMs, 19 * kMs})
+        EXPECT_EQ(size_of(gate.passed({.force_n = {0.1, 0.0}, .ticks = 0}, now_ns)), 0.0) << now_ns;
 }
 
 TEST(ForceGate, GrowsFromNothingToAllInASecond) {
@@ -82,18 +85,69 @@ TEST(ForceGate, SaysThatTheLoopIsDeadAfterATenthOfASecond) {
     EXPECT_FALSE(gate.passed({.ticks = 2}, 20'102 * kMs).is_starved);
 }
 
-TEST(ForceGate, GivesNothingForWhatIsNoNumber) {
+TEST(ForceGate, GivesNothingForWhatIsNoNumberWhicheverItIs) {
     for (const double wrong :
-         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-        ForceGate gate;
-        std::uint64_t ticks = 0;
-        const std::int64_t now_ns = ready(gate, ticks);
-        EXPECT_EQ(size_of(gate.passed({.force_n = {wrong, 0.0}, .ticks = ++ticks}, now_ns)), 0.0);
-        EXPECT_EQ(size_of(gate.passed({.tangential_n = wrong, .ticks = ++ticks}, now_ns)), 0.0);
-        EXPECT_EQ(
-            size_of(gate.passed({.force_n = {0.1, 0.0}, .tool_mm = {wrong, 0.0}, .ticks = ++ticks}, now_ns)),
-            0.0);
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+          -std::numeric_limits<double>::infinity()}) {
+        for (int field = 0; field < 5; ++field) {
+            ForceGate gate;
+            std::uint64_t ticks = 0;
+            const std::int64_t now_ns = ready(gate, ticks);
+            ForceOrder order{.force_n = {0.1, 0.1}, .tangential_n = 0.1, .ticks = ++ticks};
+            ASSERT_GT(size_of(gate.passed(order, now_ns)), 0.1);
+            if (field < 2) order.force_n[field] = wrong;
+            if (field == 2) order.tangential_n = wrong;
+            if (field > 2) order.tool_mm[field - 3] = wrong;
+            order.ticks = ++ticks;
+            EXPECT_EQ(size_of(gate.passed(order, now_ns)), 0.0) << field;
+            EXPECT_EQ(gate.fraction(), 0.0) << field;
+            EXPECT_LT(size_of(gate.passed({.force_n = {0.1, 0.0}, .ticks = ++ticks}, now_ns + 4 * kMs)), 1e-3)
+                << "it returns through the ramp";
+        }
     }
+}
+
+TEST(ForceGate, BeginsItsRampAtAFifthOfANewtonOrLess) {
+    const double too_much_n = std::nextafter(0.2, 1.0);
+    ForceGate deep;
+    for (std::uint64_t ticks = 1; ticks <= 500; ++ticks)
+        (void)deep.passed({.force_n = {0.0, too_much_n}, .ticks = ticks},
+                          static_cast<std::int64_t>(ticks) * 4 * kMs);
+    EXPECT_EQ(deep.fraction(), 0.0);
+    ForceGate out;
+    for (std::uint64_t ticks = 1; ticks <= 500; ++ticks)
+        (void)out.passed({.force_n = {0.0, 0.2}, .ticks = ticks}, static_cast<std::int64_t>(ticks) * 4 * kMs);
+    EXPECT_EQ(out.fraction(), 1.0);
+}
+
+TEST(ForceGate, PassesTheKiosksPeakAndNoMoreInAnyDirection) {
+    for (const double sign : {-1.0, 1.0}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            ForceGate gate;
+            std::uint64_t ticks = 0;
+            const std::int64_t now_ns = ready(gate, ticks);
+            ForceOrder order{.ticks = ++ticks};
+            (axis < 2 ? order.force_n[axis] : order.tangential_n) = sign * 3.3;
+            EXPECT_EQ(size_of(gate.passed(order, now_ns)), 3.3);
+            EXPECT_EQ(gate.fraction(), 1.0);
+            (axis < 2 ? order.force_n[axis] : order.tangential_n) = sign * 6.6;
+            EXPECT_NEAR(size_of(gate.passed(order, now_ns)), 3.3, 1e-12);
+            EXPECT_NEAR(gate.fraction(), 0.5, 1e-12);
+        }
+    }
+}
+
+TEST(ForceGate, BeginsAnewWhereItIsRestarted) {
+    ForceGate gate;
+    std::uint64_t ticks = 0;
+    const std::int64_t now_ns = ready(gate, ticks);
+    ASSERT_EQ(gate.passed({.force_n = {1.0, 0.0}, .ticks = ++ticks}, now_ns).force_n.x, 1.0);
+    gate.restart();
+    EXPECT_EQ(gate.fraction(), 0.0);
+    EXPECT_EQ(size_of(gate.passed({.force_n = {1.0, 0.0}, .ticks = ++ticks}, now_ns + 4 * kMs)), 0.0);
+    EXPECT_EQ(size_of(gate.passed({.force_n = {0.1, 0.0}, .ticks = ++ticks}, now_ns + 8 * kMs)), 0.0);
+    EXPECT_NEAR(gate.passed({.force_n = {1.0, 0.0}, .ticks = ++ticks}, now_ns + 18 * kMs).force_n.x, 0.01,
+                1e-12);
 }
 
 TEST(LocalWall, GivesAtTheToolTheOrderedForce) {
