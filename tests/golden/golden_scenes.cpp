@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/core/hash.h"
-#include "game/haptic/tools.h"
 #include "game/wheel/clay_look.h"
 
 namespace onggi::golden {

@@ -351,8 +351,8 @@ TEST(SafetyProperty14, TheStopNeedsNoPictureAndHoldsUntilRearmed) {
 // Returns an invalid position after 2500 ticks.
 class LosingDevice final : public test::ScriptedDevice {
   public:
-    [[nodiscard]] tool::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
-        tool::ToolState tool = ScriptedDevice::read(tick, dt_s);
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override {
+        tool::ToolState tool = ScriptedDevice::read_tool(tick, dt_s);
         if (tick == 2500) tool.position_mm.x = std::numeric_limits<double>::quiet_NaN();
         return tool;
     }

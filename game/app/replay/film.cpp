@@ -111,9 +111,9 @@ struct FilmMaker::Parts {
                                       .material = worn ? &*worn : nullptr,
                                       .marks = dressed ? &dressed->marks() : nullptr},
                                      {.direction = turned(snapshot.wheel_direction, shown.turned)});
-        auto portrait = camera->take(snapshot, wheel::StillView::kPortrait);
+        auto taken = camera->take(snapshot, wheel::StillView::kPortrait);
         camera->scene().registry().destroy(finished);
-        return portrait;
+        return taken;
     }
 };
 

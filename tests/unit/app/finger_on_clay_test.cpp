@@ -11,7 +11,7 @@
 namespace onggi::app {
 namespace {
 
-constexpr double kRateHz = 1000.0;
+constexpr double kFingerRateHz = 1000.0;
 constexpr double kFrameS = 1.0 / 60.0;
 
 class HandOnClay : public ::testing::Test {
@@ -19,7 +19,7 @@ class HandOnClay : public ::testing::Test {
     explicit HandOnClay(double mass_g = 1000.0) { put(mass_g); }
 
     void put(double mass_g) {
-        parameters_.set_rate_hz(kRateHz);
+        parameters_.set_rate_hz(kFingerRateHz);
         parameters_.studio.forgiving = true;
         state_ = haptic::HapticState(clay::StudioClay(clay::StudioLump{.mass_g = mass_g, .rings = 800}));
         finger_ = {};
@@ -28,7 +28,7 @@ class HandOnClay : public ::testing::Test {
     }
     void frame() {
         const tool::ToolState tool = finger_.request({.water = 3}, shape_, kFrameS);
-        for (ticks_due_ += kRateHz * kFrameS; ticks_due_ >= 1.0; ticks_due_ -= 1.0)
+        for (ticks_due_ += kFingerRateHz * kFrameS; ticks_due_ >= 1.0; ticks_due_ -= 1.0)
             last_ = haptic::tick(state_, tool, parameters_);
         shape_ = haptic::pot_of(state_);
     }

@@ -13,7 +13,8 @@ namespace {
 
 // A run that requests nothing a test machine may refuse, and does not occupy a core.
 LiveRun modest_run(std::uint64_t tick_count, std::optional<double> seconds) {
-    LiveRun run{.devices = std::make_unique<test::ScriptedDevice>()};
+    LiveRun run;
+    run.devices = std::make_unique<test::ScriptedDevice>();
     run.tick_count = tick_count;
     run.seconds = seconds;
     run.wait = jobs::WaitMode::kSleep;

@@ -9,8 +9,9 @@ namespace onggi::haptic {
 namespace {
 
 TEST(GesturePlayer, ReadsTickKAtExactlyKOverTheRate) {
-    const auto gesture =
-        tool::parse_gesture(std::string(tool::kGestureHeader) + "\n0,0,0,0,0,10\n1,1000,0,0,0,10\n", "g.csv");
+    std::string text(tool::kGestureHeader);
+    text += "\n0,0,0,0,0,10\n1,1000,0,0,0,10\n";
+    const auto gesture = tool::parse_gesture(text, "g.csv");
     ASSERT_TRUE(gesture);
     GesturePlayer player(*gesture, 1000.0);
     ASSERT_TRUE(player.open());
