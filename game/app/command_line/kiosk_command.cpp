@@ -191,11 +191,9 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     const StartReport start_report = starts.begin_now(settings->remarks);
     PictureNote picture(state);
     auto view = open_view(options, *settings, core, start_report.is_safe_mode, picture.read());
-    if (!view) {
-        // No display, or no driver for it yet: that is the machine's, and no fall of the program's.
-        if (view.error().kind == ErrorKind::kSystemLacks) static_cast<void>(starts.end_now());
-        return view.error();
-    }
+    // Without a display or driver yet, the machine is to blame: no crash is counted.
+    if (!view && view.error().kind == ErrorKind::kSystemLacks) static_cast<void>(starts.end_now());
+    if (!view) return view.error();
     leave_haptic_core_wholly(core);
     warn_of_lacks(*settings, **view);
 

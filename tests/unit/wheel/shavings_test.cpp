@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "game/haptic/tools.h"
 #include "game/wheel/tool_models.h"
 #include "game/wheel/wheel_scene.h"
 #include "tests/support/places.h"

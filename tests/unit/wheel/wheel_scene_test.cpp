@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "game/haptic/tools.h"
 #include "game/wheel/components.h"
 #include "tests/support/places.h"
 
