@@ -79,7 +79,7 @@ void velocity_estimator(benchmark::State& state) {
 BENCHMARK(velocity_estimator);
 
 // A hand that moves inwards at 10 mm/s, which keeps a 10 mm tool about 1 mm deep in the clay.
-class SteadyHand final : public haptics::HapticDevice {
+class SteadyHand final : public haptic::ToolDevice {
   public:
     SteadyHand(double wall_mm, double rate_hz) : wall_mm_(wall_mm), rate_hz_(rate_hz) {}
     Result<void> open() override { return {}; }
