@@ -1,6 +1,6 @@
-// Synthesises the sound of a potter's wheel: motor, wet material under a hand, the scrape of a tool, a slapped
-// lump, a fire. Pure: the same scenes in the same order give the same samples, whatever the block size. One
-// thread at a time; no allocation, no lock, no libm.
+// Synthesises the sound of a potter's wheel: motor, wet material under a hand, the scrape of a tool, a
+// slapped lump, a fire. Pure: the same scenes in the same order give the same samples, whatever the block
+// size. One thread at a time; no allocation, no lock, no libm.
 #pragma once
 
 #include <algorithm>
