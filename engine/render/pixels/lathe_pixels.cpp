@@ -14,9 +14,6 @@
 #include "shaders/lathe.h"
 #include "shaders/load.h"
 
-// No vector leaves this file by value, see float8.h.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace onggi::render {
 namespace {
 

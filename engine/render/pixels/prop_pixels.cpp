@@ -16,9 +16,6 @@
 #include "shaders/shadow.h"
 #include "shaders/transfer.h"
 
-// No vector leaves this file by value, see float8.h.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace onggi::render {
 namespace {
 
