@@ -29,10 +29,13 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
     constexpr int kEach = 6;
     constexpr double kMostSteep = 0.1;
     int followed = 0;
-    const auto targets = heritage::load_targets(test::in_checkout("assets/heritage"));
+    const std::string folder = test::in_checkout("assets/heritage");
+    const auto targets = heritage::load_targets(folder);
     ASSERT_TRUE(targets) << targets.error().message;
+    const auto shelf = heritage::load_shelf(folder, *targets);
+    ASSERT_TRUE(shelf) << shelf.error().message;
     std::vector<std::size_t> places;
-    const auto exhibits = app::exhibits_of(*targets, {}, places);
+    const auto exhibits = app::exhibits_of(*targets, {.shelf = *shelf, .cards = {}, .languages = {}}, places);
     ASSERT_GE(exhibits.size(), 4U);
     std::vector<std::vector<Left>> sheet;
     for (const std::size_t place : places) {

@@ -146,8 +146,13 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     } else {
         settings.remarks.push_back(targets.error().message);  // free throwing works without targets
     }
-    ExhibitWords words{.cards = {}, .languages = *settings.languages};
+    ExhibitWords words{.shelf = {}, .cards = {}, .languages = *settings.languages};
     if (targets) {
+        if (auto shelf = heritage::load_shelf(*folder, settings.targets)) {
+            words.shelf = std::move(*shelf);
+        } else {
+            settings.remarks.push_back(shelf.error().message);  // the table of targets has names, too
+        }
         if (auto cards = heritage::load_cards(*folder, settings.targets)) {
             words.cards = std::move(*cards);
         } else {
