@@ -191,9 +191,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     const StartReport start_report = starts.begin_now(settings->remarks);
     PictureNote picture(state);
     auto view = open_view(options, *settings, core, start_report.is_safe_mode, picture.read());
-    // Without a display or driver yet, the machine is to blame: no crash is counted.
-    if (!view && view.error().kind == ErrorKind::kSystemLacks) static_cast<void>(starts.end_now());
-    if (!view) return view.error();
+    if (!view) return starts.end_without(view.error());
     leave_haptic_core_wholly(core);
     warn_of_lacks(*settings, **view);
 
