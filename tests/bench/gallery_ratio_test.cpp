@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 constexpr int kRounds = 15;
 constexpr int kPotsADay = 100;
 
-// Processor time of this thread: on a busy machine a long round never runs without an interruption, a short one may.
+// Processor time of this thread: on a busy machine a long round never runs without an interruption, a short
+// one may.
 double processor_s() {
     timespec now{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

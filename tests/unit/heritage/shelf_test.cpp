@@ -55,7 +55,7 @@ TEST(Shelf, RejectsWrongRowsByTheirLine) {
     EXPECT_EQ(refusal("cup,shelf,A,,then,3\n"),
               "shelf.csv:2: glaze: expected one of celadon, porcelain, buncheong, iron, ash, bare, ido; "
               "found '3'");
-    EXPECT_EQ(refusal("cup,shelf,A,then,iron\n"), "shelf.csv:2: expected 6 columns, found 5");
+    EXPECT_EQ(refusal("cup,shelf,A,,then,iron,more\n"), "shelf.csv:2: expected 6 columns, found 7");
 }
 
 TEST(Shelf, HasARowForEveryPotThatIsShipped) {

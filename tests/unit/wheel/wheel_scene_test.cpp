@@ -171,6 +171,12 @@ TEST_F(APotApart, IsNotSeenWhileItStandsBesideTheWheel) {
 TEST_F(APotApart, IsHeldOverTheClay) {
     pot_.top_mm = {50.0F, 100.0F, 150.0F, 200.0F};
     dry_.top_mm = {45.0F, 90.0F};
+    for (pot::Pot* pot : {&pot_, &dry_}) {
+        pot->centre_mm.assign(pot->outer_mm.size(), vec2(0.0F));
+        pot->film.assign(pot->outer_mm.size(), 0.0F);
+        pot->liquidity.assign(pot->outer_mm.size(), 0.0F);
+        pot->load_index.assign(pot->outer_mm.size(), 0.0F);
+    }
     entity_ = scene_.registry().create();
     scene_.registry().add(entity_, PotApart{.pot = &dry_});
     scene_.registry().add(entity_, HeldOver{});

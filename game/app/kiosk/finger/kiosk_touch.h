@@ -14,7 +14,6 @@ namespace onggi::app {
 // Fraction of the height at which the lesson presses first and pulls.
 constexpr double kLowFraction = 0.3;
 
-
 struct TouchPoint {
     double at_s = 0.0;  // since the path began
     dvec2 place_mm{0.0};

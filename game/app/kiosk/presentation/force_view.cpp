@@ -164,8 +164,8 @@ screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const Sig
                                        shown_n_[hand][static_cast<std::size_t>(screens::Force::kStiffness)]);
         for (std::size_t k = 0; k < screens::kForceCount; ++k)
             touch.arrows[k] = arrow_of(at_mm, shown_n_[hand][k], mm_per_n(), sight);
-        add_rings(touch, *snapshot.pot, rings_touched(*snapshot.pot, forces),
-                  drawn.side == tool::Side::kIn, sight);
+        add_rings(touch, *snapshot.pot, rings_touched(*snapshot.pot, forces), drawn.side == tool::Side::kIn,
+                  sight);
         frame.touches.push_back(std::move(touch));
     };
     const std::array<wheel::DrawnHand, 2> hands = wheel::hands_of(snapshot);
