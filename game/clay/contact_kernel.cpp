@@ -10,8 +10,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "engine/math/wide_vectors.h"
-
 namespace onggi::clay {
 namespace {
 
@@ -167,18 +165,25 @@ template <std::size_t kWide, bool kFloorInReach>
 void find_contacts_plain(const ContactQuery& query, ContactSums& sums) {
     is_floor_in_reach(query) ? visit_elements<4, true>(query, sums) : visit_elements<4, false>(query, sums);
 }
-ONGGI_WIDE_VECTORS void find_contacts_wide(const ContactQuery& query, ContactSums& sums) {
+#if defined(__x86_64__)
+[[gnu::target("avx2")]]
+#endif
+void find_contacts_wide(const ContactQuery& query, ContactSums& sums) {
     is_floor_in_reach(query) ? visit_elements<8, true>(query, sums) : visit_elements<8, false>(query, sums);
 }
 
 }  // namespace
 
 bool is_supported(KernelVariant variant) {
-    return variant == KernelVariant::kPlain || has_wide_vectors();
+#if defined(__x86_64__)
+    return variant == KernelVariant::kPlain || __builtin_cpu_supports("avx2") != 0;
+#else
+    return variant == KernelVariant::kPlain;
+#endif
 }
 
 KernelVariant best_kernel() {
-    return has_wide_vectors() ? KernelVariant::kWide : KernelVariant::kPlain;
+    return is_supported(KernelVariant::kWide) ? KernelVariant::kWide : KernelVariant::kPlain;
 }
 
 const char* name(KernelVariant variant) {

@@ -146,8 +146,8 @@ struct Answer8 {
     }
 }
 
-[[gnu::always_inline]] inline void light_all(const LatheGrid& grid, std::span<const std::uint32_t> numbers,
-                                             LatheCorner* into) {
+ONGGI_WIDE_VECTORS void light_all(const LatheGrid& grid, std::span<const std::uint32_t> numbers,
+                                  LatheCorner* into) {
     Vertices8 vertices{};
     Answer8 answer;
     for (std::size_t first = 0; first < numbers.size(); first += kFloat8) {
@@ -158,22 +158,12 @@ struct Answer8 {
     }
 }
 
-void light_plain(const LatheGrid& grid, std::span<const std::uint32_t> numbers, LatheCorner* into) {
-    light_all(grid, numbers, into);
-}
-
-ONGGI_WIDE_VECTORS void light_wide(const LatheGrid& grid, std::span<const std::uint32_t> numbers,
-                                   LatheCorner* into) {
-    light_all(grid, numbers, into);
-}
-
 }  // namespace
 
 void light_corners(const LatheGrid& grid, std::span<const std::uint16_t> indices,
                    std::vector<LatheCorner>& corners) {
-    static auto* const best = best_of(light_plain, light_wide);
     corners.resize(grid.vertices.size());
-    best(grid, vertices_of(indices, corners.size()), corners.data());
+    light_all(grid, vertices_of(indices, corners.size()), corners.data());
 }
 
 // Shades queued pixels, eight at a time, with the formulas of shaders/lathe.h.
@@ -641,9 +631,8 @@ template <Pot kPot>
     shade<kPot>(queue, look, canvas);
 }
 
-[[gnu::always_inline]] inline void draw_all(std::span<const LatheCorner> corners,
-                                            std::span<const std::uint16_t> indices, std::size_t plain,
-                                            const LatheLook& look, const PictureCanvas& canvas) {
+ONGGI_WIDE_VECTORS void draw_all(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
+                                 std::size_t plain, const LatheLook& look, const PictureCanvas& canvas) {
     if (canvas.pixels.size() < kFloat8) return;
     Reach reach(canvas.size);
     if (look.shows_load) {
@@ -658,23 +647,11 @@ template <Pot kPot>
     draw_some<Pot::kNearSpheres>(corners, indices.subspan(plain), look, reach, canvas);
 }
 
-void draw_plain(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
-                std::size_t plain, const LatheLook& look, const PictureCanvas& canvas) {
-    draw_all(corners, indices, plain, look, canvas);
-}
-
-ONGGI_WIDE_VECTORS void draw_wide(std::span<const LatheCorner> corners,
-                                  std::span<const std::uint16_t> indices, std::size_t plain,
-                                  const LatheLook& look, const PictureCanvas& canvas) {
-    draw_all(corners, indices, plain, look, canvas);
-}
-
 }  // namespace
 
 void draw_lathe(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
                 std::size_t plain, const LatheLook& look, const PictureCanvas& canvas) {
-    static auto* const best = best_of(draw_plain, draw_wide);
-    best(corners, indices, plain, look, canvas);
+    draw_all(corners, indices, plain, look, canvas);
 }
 
 }  // namespace onggi::render

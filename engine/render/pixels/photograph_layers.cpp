@@ -109,7 +109,7 @@ struct Along {
     }
 }
 
-[[gnu::always_inline]] inline void lay(const HostBackground& background, const Layers& layers) {
+ONGGI_WIDE_VECTORS void lay(const HostBackground& background, const Layers& layers) {
     for (int y = layers.rows.first; y < layers.rows.end; ++y) {
         const std::size_t first = static_cast<std::size_t>(y) * layers.width;
         std::uint32_t* const with_key = layers.with_key + first;
@@ -130,28 +130,19 @@ struct Along {
     }
 }
 
-void lay_plain(const HostBackground& background, const Layers& layers) {
-    lay(background, layers);
-}
-
-ONGGI_WIDE_VECTORS void lay_wide(const HostBackground& background, const Layers& layers) {
-    lay(background, layers);
-}
-
 }  // namespace
 
 void lay_photographs(const HostBackground& background, vec4 window, int width, RowSpan rows,
                      std::span<std::uint32_t> with_key, std::span<std::uint32_t> without_key) {
     std::vector<std::uint32_t> unlit(static_cast<std::size_t>(width));
     std::vector<std::uint32_t> mixed(static_cast<std::size_t>(background.key.width()) + 1);
-    static auto* const best = best_of(lay_plain, lay_wide);
-    best(background, {.window = window,
-                      .width = static_cast<std::size_t>(width),
-                      .rows = rows,
-                      .with_key = with_key.data(),
-                      .without_key = without_key.data(),
-                      .unlit = unlit.data(),
-                      .mixed = mixed.data()});
+    lay(background, {.window = window,
+                     .width = static_cast<std::size_t>(width),
+                     .rows = rows,
+                     .with_key = with_key.data(),
+                     .without_key = without_key.data(),
+                     .unlit = unlit.data(),
+                     .mixed = mixed.data()});
 }
 
 }  // namespace onggi::render

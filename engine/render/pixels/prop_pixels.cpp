@@ -80,9 +80,8 @@ std::array<const PropCorner*, 3> triangle(std::span<const PropCorner> corners,
     return {&corners[indices[first]], &corners[indices[first + 1]], &corners[indices[first + 2]]};
 }
 
-[[gnu::always_inline]] inline void draw_all(std::span<const PropCorner> corners,
-                                            std::span<const std::uint32_t> indices,
-                                            const PictureCanvas& canvas) {
+ONGGI_WIDE_VECTORS void draw_all(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
+                                 const PictureCanvas& canvas) {
     if (canvas.pixels.size() < kFloat8) return;
     Reach reach(canvas.size);
     Shape<3> shape;
@@ -98,22 +97,11 @@ std::array<const PropCorner*, 3> triangle(std::span<const PropCorner> corners,
     }
 }
 
-void draw_plain(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
-                const PictureCanvas& canvas) {
-    draw_all(corners, indices, canvas);
-}
-
-ONGGI_WIDE_VECTORS void draw_wide(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
-                                  const PictureCanvas& canvas) {
-    draw_all(corners, indices, canvas);
-}
-
 }  // namespace
 
 void draw_triangles(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
                     const PictureCanvas& canvas) {
-    static auto* const best = best_of(draw_plain, draw_wide);
-    best(corners, indices, canvas);
+    draw_all(corners, indices, canvas);
 }
 
 void want_triangles(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
@@ -223,8 +211,8 @@ struct Vertices8 {
     }
 }
 
-[[gnu::always_inline]] inline void light_all(const PropMesh& mesh, std::span<const std::uint32_t> numbers,
-                                             const Prop& prop, const PropView& view, PropCorner* into) {
+ONGGI_WIDE_VECTORS void light_all(const PropMesh& mesh, std::span<const std::uint32_t> numbers,
+                                  const Prop& prop, const PropView& view, PropCorner* into) {
     const std::size_t first_byte = view.order == ByteOrder::kRedFirst ? 0 : 2;
     Vertices8 vertices{};
     Colour8 shown;
@@ -243,24 +231,13 @@ struct Vertices8 {
     }
 }
 
-void light_plain(const PropMesh& mesh, std::span<const std::uint32_t> numbers, const Prop& prop,
-                 const PropView& view, PropCorner* into) {
-    light_all(mesh, numbers, prop, view, into);
-}
-
-ONGGI_WIDE_VECTORS void light_wide(const PropMesh& mesh, std::span<const std::uint32_t> numbers,
-                                   const Prop& prop, const PropView& view, PropCorner* into) {
-    light_all(mesh, numbers, prop, view, into);
-}
-
 }  // namespace
 
 void light_corners(const PropMesh& mesh, std::span<const std::uint32_t> indices, const Prop& prop,
                    const PropView& view, std::vector<PropCorner>& corners) {
-    static auto* const best = best_of(light_plain, light_wide);
     const std::size_t first = corners.size();
     corners.resize(first + mesh.vertices.size());
-    best(mesh, vertices_of(indices, mesh.vertices.size()), prop, view, corners.data() + first);
+    light_all(mesh, vertices_of(indices, mesh.vertices.size()), prop, view, corners.data() + first);
 }
 
 }  // namespace onggi::render

@@ -139,9 +139,8 @@ static_assert(std::endian::native == std::endian::little);
 
 // Shades whole blocks only: the last block of a line starts earlier, and a rectangle narrower than a block is
 // shaded with its neighbours.
-[[gnu::always_inline]] inline void shade_rect(const ShadeLayers& layers, const ShadowMask& mask,
-                                              const ShadeLight& light, const PixelRect& rect,
-                                              std::uint32_t* into) {
+ONGGI_WIDE_VECTORS void shade_rect(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
+                                   const PixelRect& rect, std::uint32_t* into) {
     const bool is_day = light == ShadeLight{};
     const auto width = static_cast<std::size_t>(layers.width);
     const auto left = static_cast<std::size_t>(rect.x);
@@ -154,16 +153,6 @@ static_assert(std::endian::native == std::endian::little);
             shade_block(layers, mask, light, is_day, first, into);
         }
     }
-}
-
-void shade_rect_plain(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
-                      const PixelRect& rect, std::uint32_t* into) {
-    shade_rect(layers, mask, light, rect, into);
-}
-
-ONGGI_WIDE_VECTORS void shade_rect_wide(const ShadeLayers& layers, const ShadowMask& mask,
-                                        const ShadeLight& light, const PixelRect& rect, std::uint32_t* into) {
-    shade_rect(layers, mask, light, rect, into);
 }
 
 }  // namespace
@@ -183,9 +172,8 @@ void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const Shade
         std::copy(layers.with_key.begin(), layers.with_key.end(), into.begin());
         return;
     }
-    static auto* const shade = best_of(shade_rect_plain, shade_rect_wide);
     for (const PixelRect& rect : rects)
-        shade(layers, mask, light, rect, into.data());
+        shade_rect(layers, mask, light, rect, into.data());
 }
 
 }  // namespace onggi::render

@@ -55,7 +55,7 @@ struct Up {
     return eight_bits(float8::mix(1.0F, seen, inside)) | eight_bits(float8::mix(1.0F, open, inside)) << 16;
 }
 
-[[gnu::always_inline]] inline void fill(const shaders::FrameData& frame, ShadowMask& mask) {
+ONGGI_WIDE_VECTORS void fill(const shaders::FrameData& frame, ShadowMask& mask) {
     constexpr auto kSide = static_cast<float>(kAcross);
     for (std::size_t row = 0; row < kAcross; ++row) {
         const float v = (static_cast<float>(row) + 0.5F) / kSide;
@@ -67,14 +67,6 @@ struct Up {
     }
 }
 
-void fill_plain(const shaders::FrameData& frame, ShadowMask& mask) {
-    fill(frame, mask);
-}
-
-ONGGI_WIDE_VECTORS void fill_wide(const shaders::FrameData& frame, ShadowMask& mask) {
-    fill(frame, mask);
-}
-
 std::uint32_t apart(std::uint32_t a, std::uint32_t b) {
     return a > b ? a - b : b - a;
 }
@@ -82,8 +74,7 @@ std::uint32_t apart(std::uint32_t a, std::uint32_t b) {
 }  // namespace
 
 void fill_shadow_mask(const shaders::FrameData& frame, ShadowMask& mask) {
-    static auto* const best = best_of(fill_plain, fill_wide);
-    best(frame, mask);
+    fill(frame, mask);
 }
 
 void keep_what_is_alike(const ShadowMask& before, ShadowMask& now) {

@@ -115,36 +115,20 @@ template <bool kInside>
     }
 }
 
-struct PushedRings {
-    double* outer;
-    double* inner;
-    double* height;
-    double* field;
-    const double* volume;
-    const double* offset;
-    const double* push;
-    const double* met;
-    const double* held;
-    int count;
-    bool inside;
-};
-
-[[gnu::always_inline]] inline void push_all(const PushedRings& rings, const PushFractions& with,
-                                            const Gate& gate) {
-    if (rings.inside)
-        push_each<true>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
-                        rings.push, rings.met, rings.held, rings.count, with, gate);
+ONGGI_WIDE_VECTORS void push_all(Rings& rings, Contact& contact, bool inside, const PushFractions& with,
+                                 const Gate& gate) {
+    const std::ptrdiff_t first = contact.range.first;
+    double* const outer = rings.outer_mm.data() + first;
+    double* const inner = rings.inner_mm.data() + first;
+    double* const height = rings.height_mm.data() + first;
+    const double* const volume = rings.volume_mm3.data() + first;
+    const int n = contact.range.size();
+    if (inside)
+        push_each<true>(outer, inner, height, contact.field.data(), volume, contact.offset_mm.data(),
+                        contact.push_mm.data(), contact.met.data(), contact.held.data(), n, with, gate);
     else
-        push_each<false>(rings.outer, rings.inner, rings.height, rings.field, rings.volume, rings.offset,
-                         rings.push, rings.met, rings.held, rings.count, with, gate);
-}
-
-void push_plain(const PushedRings& rings, const PushFractions& with, const Gate& gate) {
-    push_all(rings, with, gate);
-}
-
-ONGGI_WIDE_VECTORS void push_wide(const PushedRings& rings, const PushFractions& with, const Gate& gate) {
-    push_all(rings, with, gate);
+        push_each<false>(outer, inner, height, contact.field.data(), volume, contact.offset_mm.data(),
+                         contact.push_mm.data(), contact.met.data(), contact.held.data(), n, with, gate);
 }
 
 }  // namespace
@@ -181,19 +165,7 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
                                   parameters.wall_fraction_k0,
                                   1.0 / parameters.thin_wall_mm,
                                   0.5 / hand.radius_mm};
-    const Gate gate(rings, fractions.strain);
-    const PushedRings pushed{rings.outer_mm.data() + first,
-                             rings.inner_mm.data() + first,
-                             rings.height_mm.data() + first,
-                             contact.field.data(),
-                             rings.volume_mm3.data() + first,
-                             contact.offset_mm.data(),
-                             contact.push_mm.data(),
-                             met,
-                             held,
-                             n,
-                             inside};
-    best_of(push_plain, push_wide)(pushed, fractions, gate);
+    push_all(rings, contact, inside, fractions, Gate(rings, fractions.strain));
     if (inside) {
         for (int i = first; i < std::min(first + n, rings.first_hollow); ++i) {
             if (rings.is_hollow(i)) rings.first_hollow = i;

@@ -85,33 +85,17 @@ struct FieldFractions {
     }
 }
 
-// Arguments of the field's loop. The plain and the wide variant compute the same bits.
-struct FieldColumns {
-    double* outer;
-    double* inner;
-    double* height;
-    const double* volume;
-    const float* place;
-    const float* mean;
-    float* outer_step;
-    float* inner_step;
-    int count;
-};
-
-[[gnu::always_inline]] inline void move_each(const FieldColumns& rings, const FieldFractions& with,
-                                             const Gate& gate) {
-    field_steps_each(rings.outer, rings.inner, rings.place, rings.mean, rings.outer_step, rings.inner_step,
-                     rings.count, with);
-    take_steps_each(rings.outer, rings.inner, rings.height, rings.volume, rings.outer_step, rings.inner_step,
-                    rings.count, gate);
-}
-
-void move_plain(const FieldColumns& rings, const FieldFractions& with, const Gate& gate) {
-    move_each(rings, with, gate);
-}
-
-ONGGI_WIDE_VECTORS void move_wide(const FieldColumns& rings, const FieldFractions& with, const Gate& gate) {
-    move_each(rings, with, gate);
+ONGGI_WIDE_VECTORS void move_each(Rings& rings, Contact& contact, const Rings::Range& range,
+                                  const FieldFractions& with, const Gate& gate) {
+    double* const outer = rings.outer_mm.data() + range.first;
+    double* const inner = rings.inner_mm.data() + range.first;
+    double* const height = rings.height_mm.data() + range.first;
+    float* const outer_step = contact.outer_step_mm.data();
+    float* const inner_step = contact.inner_step_mm.data();
+    field_steps_each(outer, inner, contact.place_mm.data(), contact.mean_mm.data(), outer_step, inner_step,
+                     range.size(), with);
+    take_steps_each(outer, inner, height, rings.volume_mm3.data() + range.first, outer_step, inner_step,
+                    range.size(), gate);
 }
 
 }  // namespace
@@ -198,14 +182,7 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fract
                                    .per_length = static_cast<float>(1.0 / length),
                                    .chi = static_cast<float>(parameters.hoop_fraction_chi),
                                    .room_inside = inside ? 1.0F : 0.0F};
-    double* const outer = rings.outer_mm.data() + range.first;
-    double* const inner = rings.inner_mm.data() + range.first;
-    const FieldColumns columns{
-        outer,       inner, rings.height_mm.data() + range.first, rings.volume_mm3.data() + range.first,
-        place,       mean,  contact.outer_step_mm.data(),         contact.inner_step_mm.data(),
-        range.size()};
-    const Gate gate(rings, parameters.largest_strain_rate * dt_s);
-    best_of(move_plain, move_wide)(columns, fractions, gate);
+    move_each(rings, contact, range, fractions, Gate(rings, parameters.largest_strain_rate * dt_s));
     return range;
 }
 
