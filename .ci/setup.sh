@@ -1,5 +1,5 @@
-# What ./run and ./check share: packages, builds, words on the terminal. Sourced, never run.
-# Works for a person who is not root: sudo is asked for only to install.
+# Shared by ./run and ./check: packages, builds, terminal output. Sourced, never run. Works without root: sudo
+# is used only to install.
 
 say() { printf '%s\n' "onggi: $*"; }
 die() { local status=$1; shift; printf '%s\n' "onggi: $*" >&2; exit "$status"; }
@@ -7,7 +7,7 @@ die() { local status=$1; shift; printf '%s\n' "onggi: $*" >&2; exit "$status"; }
 packages_to_run=(
     g++ cmake ninja-build pkg-config ccache
     libglfw3-dev libxcb1-dev libxcb-xinput-dev libglm-dev libvulkan-dev glslang-tools libtinygltf-dev nlohmann-json3-dev libhidapi-dev libopenal-dev
-    libsndfile1-dev libwebsockets-dev libmicrohttpd-dev libqrcodegencpp-dev libsystemd-dev
+    libsndfile1-dev libwebsockets-dev libmicrohttpd-dev libidn2-dev libqrcodegencpp-dev libsystemd-dev
     libcli11-dev libfmt-dev libpng-dev libturbojpeg0-dev libwebp-dev lib3mf-dev libmeshoptimizer-dev zlib1g-dev
     libpango1.0-dev libfontconfig-dev libtomlplusplus-dev fonts-nanum fonts-noto-core
     mesa-vulkan-drivers)
@@ -20,7 +20,7 @@ packages_for_swiftshader=(chromium)
 packages_for_slicer=(prusa-slicer)
 packages_for_packages=(mmdebstrap lintian desktop-file-utils appstream man-db groff)
 
-# install_packages NAME...: installs those that are missing, after saying so.
+# install_packages NAME...: installs missing packages, after a message.
 install_packages() {
     command -v dpkg-query >/dev/null || { say "not a Debian system: taking it that these are installed: $*"; return; }
     local missing=() name
@@ -40,14 +40,14 @@ install_packages() {
         die 3 "these Debian packages could not be installed: ${missing[*]}"
 }
 
-# build PRESET [CMAKE OPTION ...] [-- TARGET ...]: configures and builds; all targets where none is named.
+# build PRESET [CMAKE OPTION ...] [-- TARGET ...]: configures and builds; by default all targets.
 build() {
     local preset=$1 options=() targets=()
     shift
     while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1"); shift; done
     [ $# -gt 0 ] && shift
     [ $# -gt 0 ] && targets=(--target "$@")
-    # The same source in two checkouts compiles once.
+    # Lets ccache share objects between checkouts.
     export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
     mkdir -p build
     say "building $preset"

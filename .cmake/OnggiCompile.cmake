@@ -1,5 +1,5 @@
-# How every file of the house is compiled: the language, the warnings, the sanitizers, and the floating-point
-# rules on which bit-exact replay rests.
+# Compile options of every file: language, warnings, sanitizers, and the floating-point rules that bit-exact
+# replay needs.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -16,7 +16,7 @@ string(COMPARE EQUAL "${ONGGI_SANITIZE}" "fuzzer" ONGGI_FUZZ)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-    # It keeps nothing of what has precompiled headers, unless it is told that nothing here asks for the time of day.
+    # ccache caches files with precompiled headers only with this sloppiness; nothing here uses __TIME__.
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
 endif()
 
@@ -27,19 +27,19 @@ target_compile_options(onggi_options INTERFACE
     -Wall -Wextra -Wpedantic -Werror
     -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual
     -Wcast-qual -Wformat=2 -Wundef -Wunused
-    # No fused multiply-add behind our back: the same source gives the same bits everywhere.
+    # No fused multiply-add, so that the same source gives the same bits everywhere.
     -ffp-contract=off
-    # std::sqrt is one exact instruction; nobody reads errno after it.
+    # std::sqrt becomes one exact instruction; its errno is not used.
     -fno-math-errno)
-# A package depends on what the program calls, whatever a library's own list of libraries names beside.
+# Packages must depend only on libraries that the program calls, not on those that they link in turn.
 target_link_options(onggi_options INTERFACE LINKER:--as-needed)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # g++ 12 sees an overlap in std::string's operator+ where there is none (GCC bug 105651).
+    # g++ 12 reports a false overlap in std::string's operator+ (GCC bug 105651).
     target_compile_options(onggi_options INTERFACE -Wduplicated-cond -Wlogical-op -Wno-restrict)
 endif()
 
 if(ONGGI_FUZZ)
-    # Every check builds it, and its traces need no more than the lines.
+    # Every check builds it, and its stack traces need only line numbers.
     target_compile_options(onggi_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined
         -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1)
     target_link_options(onggi_options INTERFACE -fsanitize=address,undefined)
@@ -47,7 +47,7 @@ elseif(ONGGI_SANITIZE)
     target_compile_options(onggi_options INTERFACE -fsanitize=${ONGGI_SANITIZE} -fno-omit-frame-pointer -O1)
     target_link_options(onggi_options INTERFACE -fsanitize=${ONGGI_SANITIZE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        # Instrumented code hides from g++ that a value is always set, in std::regex among others (GCC manual,
+        # Sanitizers cause false warnings of this kind, for example in std::regex (GCC manual,
         # -Wmaybe-uninitialized); the plain builds keep the warning.
         target_compile_options(onggi_options INTERFACE -Wno-maybe-uninitialized)
     endif()
@@ -56,7 +56,7 @@ elseif(ONGGI_SANITIZE)
     endif()
 endif()
 
-# What every program links besides its own libraries.
+# Linked by every program, besides its own libraries.
 add_library(onggi_program INTERFACE)
 target_link_libraries(onggi_program INTERFACE onggi_options)
 if(ONGGI_SANITIZE MATCHES "address|fuzzer")

@@ -1,4 +1,5 @@
-# Third parties, all from Debian 12. Each is used in one room only; tests/house/allowed_includes.txt says which.
+# Third-party libraries, all from Debian 12. Each is used in one room only, listed in
+# tests/house/allowed_includes.txt.
 
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
@@ -11,7 +12,7 @@ find_package(TinyGLTF REQUIRED)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebpmux libwebp)
 find_package(meshoptimizer REQUIRED)
-# Debian's lib3MF.pc asks for the -dev packages of what the library uses within itself.
+# Debian's lib3MF.pc requires the -dev packages of its private dependencies.
 find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
 find_library(LIB3MF_LIBRARY 3MF REQUIRED)
 add_library(onggi_lib3mf INTERFACE)
@@ -24,13 +25,14 @@ pkg_check_modules(XCB REQUIRED IMPORTED_TARGET xcb xcb-xinput)
 find_package(Vulkan REQUIRED)
 find_package(CLI11 REQUIRED)
 pkg_check_modules(WEBSOCKETS REQUIRED IMPORTED_TARGET libwebsockets)
+pkg_check_modules(IDN2 REQUIRED IMPORTED_TARGET libidn2)
 pkg_check_modules(MICROHTTPD REQUIRED IMPORTED_TARGET libmicrohttpd)
 pkg_check_modules(SYSTEMD REQUIRED IMPORTED_TARGET libsystemd)
 pkg_check_modules(OPENAL REQUIRED IMPORTED_TARGET openal)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
-# Development builds compile shaders while they run.
+# Development builds recompile edited shaders at run time.
 set(shader_reload OFF)
 if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT ONGGI_SANITIZE)
     find_package(glslang QUIET CONFIG)

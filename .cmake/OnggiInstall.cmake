@@ -1,13 +1,13 @@
-# What `cmake --install` lays down: the program and what it brings along (component onggi), and what makes a machine a
-# kiosk (assets/install; component kiosk). Each component is a Debian package too (OnggiPackage.cmake). `--target uninstall`
-# takes all of it away again.
+# The files of `cmake --install`: the program with its assets (component onggi), and the set-up of a kiosk
+# (assets/install; component kiosk). Each component is also a Debian package (OnggiPackage.cmake). `--target
+# uninstall` removes all files.
 
 # The project's licence as REUSE.toml states it, for the package's copyright file and for AppStream.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/REUSE.toml)
 file(STRINGS ${CMAKE_SOURCE_DIR}/REUSE.toml ONGGI_LICENCE REGEX "^SPDX.*Identifier = " LIMIT_COUNT 1)
 string(REGEX REPLACE "^.*\"(.*)\"$" "\\1" ONGGI_LICENCE "${ONGGI_LICENCE}")
 
-# Read at installing, when the prefix is known. systemd and PAM look into /etc whatever the prefix is.
+# Evaluated at installation, when the prefix is known. systemd and PAM read /etc for any prefix.
 install(CODE [[
     if(CMAKE_INSTALL_PREFIX MATCHES "^/usr(/local)?$")
         set(ONGGI_ETC /etc)
@@ -16,7 +16,7 @@ install(CODE [[
     endif()
 ]] ALL_COMPONENTS)
 install(CODE "set(source ${CMAKE_SOURCE_DIR})\nset(build ${CMAKE_BINARY_DIR})\nset(ONGGI_LICENCE ${ONGGI_LICENCE})" ALL_COMPONENTS)
-# Folders that are not there yet: an uninstall takes them away again. Of no component, so not done for packages.
+# Records new folders, which an uninstall removes again. Belongs to no component, so not done for packages.
 install(CODE [[
     set(record ${build}/install_folders.txt)
     set(folders "")
@@ -42,7 +42,7 @@ install(CODE [[
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME onggi)
 install(TARGETS onggi RUNTIME DESTINATION bin)
-# bin/onggi looks into share/onggi: see engine/files/asset_folder.h.
+# bin/onggi reads share/onggi: see engine/files/asset_folder.h.
 install(DIRECTORY assets/workshop DESTINATION share/onggi FILES_MATCHING
     PATTERN "*.json" PATTERN "*.jpg" PATTERN "*.png" PATTERN "*.glb" PATTERN "README.md" PATTERN "maker" EXCLUDE)
 install(DIRECTORY assets/heritage DESTINATION share/onggi)
@@ -50,12 +50,12 @@ install(DIRECTORY assets/tools DESTINATION share/onggi FILES_MATCHING PATTERN "*
 install(DIRECTORY assets/demonstrations DESTINATION share/onggi FILES_MATCHING
     PATTERN "*.onggi" PATTERN "shown.txt" PATTERN "README.md")
 install(FILES assets/gestures/attract.csv DESTINATION share/onggi/gestures)
-# Built in; here as what a museum's own tables begin with.
+# Also built into the program; installed as a template for a museum's own tables.
 install(DIRECTORY assets/languages DESTINATION share/onggi)
 install(FILES assets/kiosk.toml DESTINATION share/onggi RENAME kiosk-settings.toml)
 install(FILES README.md DESTINATION share/doc/onggi)
 install(DIRECTORY docs DESTINATION share/doc/onggi)
-# How menus and shells know it. What the program says of itself is asked of it when it is installed.
+# Entries for menus and shells. The program itself generates its manual page and completion at installation.
 install(FILES assets/manual/onggi.desktop DESTINATION share/applications)
 install(FILES assets/manual/onggi.svg DESTINATION share/icons/hicolor/scalable/apps)
 install(CODE "set(onggi_program $<TARGET_FILE:onggi>)" ALL_COMPONENTS)
@@ -72,7 +72,7 @@ install(CODE [[
     file(INSTALL ${made}/onggi DESTINATION ${CMAKE_INSTALL_PREFIX}/share/bash-completion/completions)
 ]] COMPONENT onggi)
 
-# Where udev and systemd look, whether the prefix is /usr or /usr/local.
+# Searched by udev and systemd for the prefixes /usr and /usr/local.
 install(FILES assets/udev/70-onggi.rules DESTINATION lib/udev/rules.d)
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME kiosk)

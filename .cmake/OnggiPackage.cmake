@@ -1,5 +1,5 @@
-# `--target package` makes two Debian packages of what is installed: onggi and onggi-kiosk, for the components onggi and
-# kiosk of OnggiInstall.cmake. What only a package needs lies in assets/package, whose README says why it is CPack.
+# `--target package` makes two Debian packages, onggi and onggi-kiosk, from the components onggi and kiosk of
+# OnggiInstall.cmake. Files for packages only are in assets/package; its README says why CPack is used.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME onggi)
 set(CPACK_PACKAGE_VENDOR Onggi)
@@ -7,13 +7,13 @@ set(CPACK_PACKAGE_CONTACT "Onggi maintainers <maintainers@onggi.invalid>")
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_COMPONENTS_ALL onggi kiosk)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-# Places are written into units when they are installed: the prefix has to be the real one, below DESTDIR.
+# Installation writes paths into units, so the prefix must be the final one, below DESTDIR.
 set(CPACK_SET_DESTDIR ON)
 set(CPACK_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-# Version and date are those of the commit that is there when the package is made, not when this was configured.
+# Version and date come from the commit at packaging time, not at configuration time.
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/.cmake/package_version.cmake)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/.cmake/package_tree.cmake)
 set(CPACK_POST_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/.cmake/package_members.cmake)
@@ -27,7 +27,7 @@ set(package ${CMAKE_SOURCE_DIR}/assets/package)
 set(CPACK_DEBIAN_ONGGI_PACKAGE_NAME onggi)
 set(CPACK_DEBIAN_ONGGI_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_ONGGI_PACKAGE_SHLIBDEPS ON)
-# What GLFW opens while it runs, and its package does not ask for: pointers and fingers, several screens.
+# Loaded by GLFW at run time, but not in its package's dependencies: pointers and touches, several screens.
 set(CPACK_DEBIAN_ONGGI_PACKAGE_DEPENDS "libxcursor1, libxi6, libxinerama1, libxrandr2")
 set(CPACK_DEBIAN_ONGGI_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd, fonts-nanum, fonts-noto-core")
 set(CPACK_DEBIAN_ONGGI_PACKAGE_CONTROL_EXTRA ${package}/onggi/postinst)

@@ -1,12 +1,13 @@
-# Most of what a small file costs is reading the headers it includes. So several files of a target are compiled as one,
-# and files whose names would collide have better names or stand apart. Off, every file is compiled by itself: which
-# proves that each includes what it needs, and an edit compiles one file (preset dev).
+# Most of a small file's compile time goes into its headers. So several files of a target are compiled as one;
+# names that would collide are changed, or the file is compiled separately (APART). OFF compiles every file
+# separately: this proves that each includes what it needs, and an edit recompiles one file (preset dev).
 option(ONGGI_BATCHES "Compile the files of a target in batches" ON)
 set(ONGGI_BATCH_SIZE 16)
 
-# onggi_batches(NAME RESULT SOURCES ... APART ...): the sources as the target NAME compiles them. Those of them that are
-# APART, or have vector loops, stay as they are, with whichever compiler: so all of them see the same batches. A batch
-# names its files from the root of the checkout, never by absolute paths, so that ccache finds it again in another one.
+# onggi_batches(NAME RESULT SOURCES ... APART ...): sets RESULT to the sources that the target NAME compiles.
+# Files that are APART or have vector loops are not batched, with every compiler, so that all compilers see
+# the same batches. A batch includes its files by paths relative to the checkout, so that ccache works across
+# checkouts.
 function(onggi_batches NAME RESULT)
     cmake_parse_arguments(ARG "" "" "SOURCES;APART" ${ARGN})
     set(files)
@@ -24,7 +25,7 @@ function(onggi_batches NAME RESULT)
         set(${RESULT} ${ARG_SOURCES} PARENT_SCOPE)
         return()
     endif()
-    # As many batches as are needed, of the same size as nearly as can be.
+    # The smallest number of batches, of nearly equal size.
     math(EXPR batches "(${count} + ${ONGGI_BATCH_SIZE} - 1) / ${ONGGI_BATCH_SIZE}")
     math(EXPR size "(${count} + ${batches} - 1) / ${batches}")
     set(made)
@@ -48,8 +49,8 @@ function(onggi_batches NAME RESULT)
     set(${RESULT} ${made} ${others} PARENT_SCOPE)
 endfunction()
 
-# onggi_library(NAME SOURCES ... APART ... LINKS ... PRIVATE_LINKS ...): a room of the house. APART: those of its sources
-# that are never compiled together with others.
+# onggi_library(NAME SOURCES ... APART ... LINKS ... PRIVATE_LINKS ...): the library of a room. APART: sources
+# that are always compiled separately.
 function(onggi_library NAME)
     cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;PRIVATE_LINKS" ${ARGN})
     if(ARG_SOURCES)
@@ -62,9 +63,8 @@ function(onggi_library NAME)
     endif()
 endfunction()
 
-# onggi_vector_loops(FILE...): the loops of these are written to be worked on several elements at once. GCC takes them
-# so only if it neither splits them into paths nor guards against traps that nobody has set; no result depends on either.
-# Called before the target is made.
+# onggi_vector_loops(FILE...): marks files whose loops GCC should vectorise. It does so only without path
+# splitting and without trapping-math guards; neither affects results. Call it before the target is created.
 function(onggi_vector_loops)
     set_source_files_properties(${ARGN} PROPERTIES ONGGI_STANDS_APART ON)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

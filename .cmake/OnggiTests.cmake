@@ -1,14 +1,15 @@
-# How tests are compiled and registered. tests/tests.txt says of each test in which size of the check it runs and how
-# long it takes; its time limit follows from that and from the speed of this machine and this build.
+# Compiles and registers tests. tests/tests.txt lists each test's size and duration; the time limit is the
+# duration scaled by the speed of this machine and build.
 
-# What a test does itself need not be fast, unless speed is what it is about.
+# A test's own code need not be fast, except in tests of speed.
 set(ONGGI_TEST_OPTIONS)
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
     set(ONGGI_TEST_OPTIONS -O1)
 endif()
 
-# onggi_measure_slowness(): sets ONGGI_SLOWNESS, how many times as long as on the machine of tests/tests.txt tests take
-# here: never less than 1. Measured at each configuration, by a known piece of work compiled as the tests are.
+# onggi_measure_slowness(): sets ONGGI_SLOWNESS, the ratio of this machine's test durations to those in
+# tests/tests.txt, at least 1. Measured at each configuration with a known piece of work, compiled with the
+# tests' options.
 function(onggi_measure_slowness)
     set(reference_ms 250)
     set(source ${CMAKE_SOURCE_DIR}/tests/support/known_work.cpp)
@@ -53,9 +54,9 @@ function(onggi_read_test_table)
     endforeach()
 endfunction()
 
-# onggi_register(NAME COMMAND ... LABELS ... ENVIRONMENT ... PROPERTIES ...): a test of tests/tests.txt. It also gets
-# the label of its size, and ONGGI_SLOWNESS in its environment, by which tests in real time scale how long they wait.
-# Its limit is ten times what it takes here, a minute at least.
+# onggi_register(NAME COMMAND ... LABELS ... ENVIRONMENT ... PROPERTIES ...): a test of tests/tests.txt. It
+# also gets the label of its size, and ONGGI_SLOWNESS in its environment, by which real-time tests scale their
+# timeouts. Its limit is ten times its duration here, at least a minute.
 function(onggi_register NAME)
     cmake_parse_arguments(ARG "" "" "COMMAND;LABELS;ENVIRONMENT;PROPERTIES" ${ARGN})
     if(NOT DEFINED ONGGI_SIZE_OF_${NAME})
@@ -69,7 +70,7 @@ function(onggi_register NAME)
     endif()
     list(APPEND ARG_ENVIRONMENT "ONGGI_SLOWNESS=${ONGGI_SLOWNESS}")
     if(ONGGI_SANITIZE)
-        # Leaks of other people's libraries are passed over.
+        # Ignore leaks of third-party libraries.
         list(APPEND ARG_ENVIRONMENT
             "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/lsan.supp:print_suppressions=0")
     endif()
@@ -78,13 +79,13 @@ function(onggi_register NAME)
         ENVIRONMENT "${ARG_ENVIRONMENT}" ${ARG_PROPERTIES})
 endfunction()
 
-# Of what is left to read for one test, a third is the same in all: GoogleTest and what stands around it. It is read once.
-# Not where every file is compiled by itself: what a test includes has to be enough.
+# Precompiles GoogleTest and other common headers, a third of a test's compile time. Not if every file is
+# compiled separately, because a test must include what it needs.
 function(onggi_read_test_headers_once)
     file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/tests/headers.cpp CONTENT "// The headers alone, precompiled.\n")
     add_library(onggi_test_headers OBJECT ${CMAKE_BINARY_DIR}/tests/headers.cpp)
     target_link_libraries(onggi_test_headers PRIVATE onggi_options GTest::gtest)
-    # As the tests that read it are compiled: it fits no others.
+    # Compiled with the tests' options, because a precompiled header requires identical ones.
     set_target_properties(onggi_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)
     target_compile_options(onggi_test_headers PRIVATE -fPIE ${ONGGI_TEST_OPTIONS})
     target_precompile_headers(onggi_test_headers PRIVATE
@@ -92,8 +93,8 @@ function(onggi_read_test_headers_once)
         <string> <string_view> <thread> <variant> <vector> [["engine/math/math.h"]])
 endfunction()
 
-# onggi_test_program(NAME SOURCES ... APART ... LINKS ... FAST): a program in build/<preset>/tests that a test is, or calls.
-# APART: as in onggi_library. FAST: as optimised as what ships.
+# onggi_test_program(NAME SOURCES ... APART ... LINKS ... FAST): a test program or helper in
+# build/<preset>/tests. APART: as in onggi_library. FAST: optimised like the shipped program.
 function(onggi_test_program NAME)
     cmake_parse_arguments(ARG "FAST" "" "SOURCES;APART;LINKS" ${ARGN})
     onggi_batches(${NAME} sources SOURCES ${ARG_SOURCES} APART ${ARG_APART})
@@ -109,9 +110,10 @@ function(onggi_test_program NAME)
     endif()
 endfunction()
 
-# onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... ENVIRONMENT ... PROPERTIES ...): a GoogleTest program and its
-# one test. APART: as in onggi_library. Labels: unit, paper, studio, haptics, replay, golden, device, export, stress,
-# house, cli, install, window, tools, swiftshader, gpu, nightly; and picture for what draws with Vulkan outside golden.
+# onggi_test(NAME SOURCES ... APART ... LINKS ... LABELS ... ENVIRONMENT ... PROPERTIES ...): a GoogleTest
+# program and its one test. APART: as in onggi_library. Labels: unit, paper, studio, haptics, replay, golden,
+# device, export, stress, house, cli, install, window, tools, swiftshader, gpu, nightly; and picture for other
+# tests that draw with Vulkan.
 function(onggi_test NAME)
     cmake_parse_arguments(ARG "" "" "SOURCES;APART;LINKS;LABELS;ENVIRONMENT;PROPERTIES" ${ARGN})
     set(fast)

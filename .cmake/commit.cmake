@@ -1,7 +1,7 @@
-# onggi_commit(SOURCE): which commit the checkout SOURCE is at. Sets in the caller:
+# onggi_commit(SOURCE): the commit of the checkout SOURCE. Sets in the caller:
 #   ONGGI_COMMIT    twelve digits, and ".changed" behind them where tracked files differ from it; "unknown" outside git
 #   ONGGI_COMMIT_S  when it was made, in seconds since 1970; SOURCE_DATE_EPOCH, if set, comes before it
-# SOURCE_DATE_EPOCH is set to the same, so that string(TIMESTAMP) and every tool that is started give this time.
+# Also sets SOURCE_DATE_EPOCH to it, so that string(TIMESTAMP) and all started tools use this time.
 function(onggi_commit SOURCE)
     execute_process(COMMAND git -C ${SOURCE} log -1 --abbrev=12 "--format=%h %ct"
         OUTPUT_VARIABLE head OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)

@@ -1,5 +1,5 @@
-# Writes which commit is built into a header, anew only when that is another one:
-# cmake -D SOURCE=checkout -D INTO=file.h -P commit_header.cmake
+# Writes the built commit into a header, only if it has changed: cmake -D SOURCE=checkout -D INTO=file.h -P
+# commit_header.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/commit.cmake)
 onggi_commit(${SOURCE})

@@ -1,5 +1,6 @@
-# Run by cpack (CPACK_POST_BUILD_SCRIPTS): the archives inside a package bear the umask of whoever packed; their modes, of
-# which nobody makes anything, are made the same. deb(5), ar(5): a head of 60 bytes before each, mode at 40, size at 48.
+# Run by cpack (CPACK_POST_BUILD_SCRIPTS): the modes of a package's archive members depend on the packer's
+# umask; they are unused, so they are set to a fixed value. deb(5), ar(5): a header of 60 bytes before each
+# member, mode at 40, size at 48.
 foreach(package ${CPACK_PACKAGE_FILES})
     file(SIZE ${package} end)
     set(head 8)

@@ -1,4 +1,5 @@
-# Run by cpack (CPACK_PRE_BUILD_SCRIPTS) between installing and packing: what only a Debian package has.
+# Run by cpack (CPACK_PRE_BUILD_SCRIPTS) between installing and packing: adds the files that only a Debian
+# package has.
 set(onggi ${CPACK_TEMPORARY_DIRECTORY}/onggi/usr/share)
 set(kiosk ${CPACK_TEMPORARY_DIRECTORY}/kiosk/usr/share)
 
@@ -15,13 +16,13 @@ foreach(file changelog changelog.Debian)
     execute_process(COMMAND gzip -9nf ${onggi}/doc/onggi/${file} COMMAND_ERROR_IS_FATAL ANY)
     file(CHMOD ${onggi}/doc/onggi/${file}.gz FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
 endforeach()
-# Both are made of one source and one version.
+# Both packages share one source and version.
 file(MAKE_DIRECTORY ${kiosk}/doc)
 file(CREATE_LINK onggi ${kiosk}/doc/onggi-kiosk SYMBOLIC)
 
-# Lintian's remarks that are answered there.
+# Lintian overrides, with reasons.
 file(MAKE_DIRECTORY ${onggi}/lintian/overrides)
 file(COPY_FILE ${CPACK_ONGGI_SOURCE}/assets/package/onggi/lintian-overrides ${onggi}/lintian/overrides/onggi)
 
-# Whatever the umask of whoever packs: no folder of a system is closed by ours.
+# Folders must be readable by all, independent of the packer's umask.
 execute_process(COMMAND find ${CPACK_TEMPORARY_DIRECTORY} -type d -exec chmod 755 {} + COMMAND_ERROR_IS_FATAL ANY)

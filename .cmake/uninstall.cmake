@@ -1,5 +1,5 @@
-# Takes away what the last `cmake --install` of this build laid down, and the folders it had to make, where nobody has
-# put anything else into them: cmake -DBUILD=... -P uninstall.cmake. DESTDIR is obeyed.
+# Removes the files of the last `cmake --install` of this build, and the folders that it created if they are
+# empty: cmake -DBUILD=... -P uninstall.cmake. Honours DESTDIR.
 set(manifest ${BUILD}/install_manifest.txt)
 if(NOT EXISTS ${manifest})
     message(FATAL_ERROR "${manifest}: expected what was installed, found none")
@@ -9,7 +9,7 @@ set(folders "")
 foreach(file IN LISTS files)
     set(file $ENV{DESTDIR}${file})
     file(REMOVE ${file})
-    # All that lies in there is the program's.
+    # This folder holds only the program's files.
     get_filename_component(folder ${file} DIRECTORY)
     if(folder MATCHES "/share/onggi/")
         list(APPEND folders ${folder})
@@ -19,7 +19,7 @@ if(EXISTS ${BUILD}/install_folders.txt)
     file(STRINGS ${BUILD}/install_folders.txt made)
     list(APPEND folders ${made})
 endif()
-# The deepest first.
+# Deepest folders first.
 list(REMOVE_DUPLICATES folders)
 list(SORT folders ORDER DESCENDING)
 foreach(folder IN LISTS folders)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the tests that ctest lists, as many at once as the cores have idle time for.
+"""Runs the tests that ctest lists, as many in parallel as the cores have idle time for.
 
 run_tests.py BUILD [CTEST OPTION...]: BUILD is a build folder; the options choose tests as ctest's do (-L, -LE, -R).
 What a test prints is kept in BUILD/Testing/NAME.log, and the seconds that each took in BUILD/Testing/seconds.txt, as
@@ -22,15 +22,15 @@ from pathlib import Path
 
 POLL_S = 0.25
 LOOKS_EVERY_S = 1.0
-# By the clock a test may take so many times its limit, however long it waited for a core.
+# In real time a test may take this many times its limit, however long it waited for a core.
 MOST_LIMITS = 10
-# Another test starts when this much of a core has been idle for so long.
+# Another test starts when this much of a core has been idle for this long.
 IDLE_CORES = 0.3
 SETTLING_S = 2.0
 MOST_A_CORE = 6
 PROGRESS_S = 60.0
 
-# The properties that are obeyed here. A test with any other is refused, so that none is ignored in silence.
+# The supported properties. A test with any other is refused, so that none is silently ignored.
 OBEYED = {"COST", "DEPENDS", "ENVIRONMENT", "FIXTURES_REQUIRED", "FIXTURES_SETUP", "LABELS", "RESOURCE_LOCK", "RUN_SERIAL",
           "SKIP_REGULAR_EXPRESSION", "SKIP_RETURN_CODE", "TIMEOUT", "WORKING_DIRECTORY"}
 
@@ -62,7 +62,7 @@ class Test:
 
 
 class Processes:
-    """A look at the kernel's table of processes: who descends from whom, and who waits for a core (proc(5))."""
+    """A snapshot of the kernel's process table: parents, and which processes wait for a core (proc(5))."""
 
     def __init__(self):
         self.parents, self.sessions, self.words = {}, {}, {}
@@ -79,7 +79,7 @@ class Processes:
             self.words[int(entry)] = f"{name} ({fields[0]})"
 
     def of(self, leader):
-        """The process, what descends from it, and what is in its session."""
+        """The process, its descendants, and its session's processes."""
         def descends(process):
             while process and process != leader:
                 process = self.parents.get(process, 0)
@@ -88,7 +88,7 @@ class Processes:
 
 
 def longest_wait_s(processes):
-    """Seconds that the thread which waited longest for a core has waited so far (sched-stats of the kernel)."""
+    """The longest time, s, that any of its threads has waited for a core so far (the kernel's schedstat)."""
     longest = 0.0
     for process in processes:
         try:
@@ -115,7 +115,7 @@ class Run:
         return time.monotonic() - self.began
 
     def hangs(self):
-        """Returns whether it is over its limit, not counting the time in which it waited for a core.
+        """Returns whether it is over its limit, not counting the time that it waited for a core.
 
         Reads /proc only when the clock is over the limit, and seldom: the kernel is slow to end a process whose entries
         in /proc are read often.
@@ -128,7 +128,7 @@ class Run:
         return self.elapsed_s() - waited_s > self.test.limit_s
 
     def end(self):
-        """Ends what is left of it and returns what that was."""
+        """Ends its remaining processes and returns their names."""
         table = Processes()
         left = [process for process in table.of(self.process.pid) if not table.words[process].endswith("(Z)")]
         for process in left:
@@ -141,7 +141,7 @@ class Run:
 
 
 class Cores:
-    """How much of the cores that this process may use is idle."""
+    """The idle share of the cores that this process may use, in cores."""
 
     def __init__(self):
         self.mine = {f"cpu{core}" for core in os.sched_getaffinity(0)}
@@ -176,7 +176,7 @@ class Suite:
         self.logs.mkdir(parents=True, exist_ok=True)
         self.cores = Cores()
         self.running = []
-        self.passed, self.skipped, self.failed = [], [], []  # pairs of a test and why
+        self.passed, self.skipped, self.failed = [], [], []  # pairs of a test and the reason
         self.seconds = {}
         self.setups = {name: {test.name for test in tests if name in test.provides} for test in tests for name in test.needs}
         self.began = self.reported = time.monotonic()
@@ -188,7 +188,7 @@ class Suite:
         return [test for test, _ in self.passed + self.skipped + self.failed]
 
     def startable(self):
-        """The longest test that may start now; None: there is none."""
+        """The longest test that may start now, or None."""
         if any(run.test.is_serial for run in self.running):
             return None
         taken = set().union(*(run.test.locks for run in self.running))
@@ -213,7 +213,7 @@ class Suite:
             self.cores.look_again()
 
     def judge(self, run, hangs, left):
-        """The list that the test belongs to now, and why."""
+        """The list that the test belongs to, and the reason."""
         test, status = run.test, run.process.returncode
         output = run.log.read_text(errors="replace")
         if hangs:
@@ -229,7 +229,7 @@ class Suite:
         self.seconds[run.test.name] = run.elapsed_s()
         outcome, why = self.judge(run, hangs, run.end())
         outcome.append((run.test, why))
-        if outcome is not self.passed:  # what needs it does not run, with the same outcome
+        if outcome is not self.passed:  # tests that need it do not run, with the same outcome
             for other in [other for other in self.waiting if other.needs & run.test.provides]:
                 self.waiting.remove(other)
                 outcome.append((other, f"did not run, because {run.test.name} did not pass"))

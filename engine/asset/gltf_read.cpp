@@ -2,7 +2,6 @@
 #include "engine/asset/gltf_read.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -12,11 +11,13 @@
 #include <exception>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/asset/mesh_rules.h"
 #include "engine/asset/utf8.h"
 #include "engine/core/little_endian.h"
+#include "engine/core/quote.h"
 #include "engine/core/result.h"
 
 namespace tinygltf {
@@ -347,15 +348,29 @@ class Gathering {
 
     Result<std::vector<GltfPart>> gather() {
         const auto scene = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
-        if (scene >= model_.scenes.size()) return bad_input("expected a scene, found none");
-        for (const int node : model_.scenes[scene].nodes) {
+        if (!model_.scenes.empty() && scene >= model_.scenes.size())
+            return bad_input("expected a scene, found none");
+        for (const int node : model_.scenes.empty() ? roots() : model_.scenes[scene].nodes) {
             if (auto added = add_node(node, dmat4(1.0), 0); !added) return added.error();
         }
         if (parts_.empty()) return bad_input("expected triangles, found none");
         return std::move(parts_);
     }
+    [[nodiscard]] std::vector<std::string> take_left_out() { return std::move(left_out_); }
 
   private:
+    [[nodiscard]] std::vector<int> roots() const {
+        std::vector<bool> is_child(model_.nodes.size(), false);
+        for (const tinygltf::Node& node : model_.nodes)
+            for (const int child : node.children)
+                if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
+                    is_child[static_cast<std::size_t>(child)] = true;
+        std::vector<int> found;
+        for (std::size_t node = 0; node < is_child.size(); ++node)
+            if (!is_child[node]) found.push_back(static_cast<int>(node));
+        return found;
+    }
+
     Result<void> add_node(int index, const dmat4& above, int depth) {
         if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size()) {
             return bad_input(fmt::format("node {}: expected one, found none", index));
@@ -376,9 +391,10 @@ class Gathering {
         if (node.mesh >= 0) {
             if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
                 return bad_input(fmt::format("mesh {}: expected one, found none", node.mesh));
-            for (const tinygltf::Primitive& primitive :
-                 model_.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
-                if (auto added = add_primitive(primitive, node.name, place); !added) {
+            const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
+            for (const tinygltf::Primitive& primitive : mesh.primitives) {
+                if (is_left_out(primitive, node.mesh, mesh.name)) continue;
+                if (auto added = add_primitive(primitive, node.name, mesh.name, place); !added) {
                     return bad_input(fmt::format("mesh {}: {}", node.mesh, added.error().message));
                 }
             }
@@ -389,13 +405,27 @@ class Gathering {
         return {};
     }
 
+    // Points and lines have no surface.
+    bool is_left_out(const tinygltf::Primitive& primitive, int index, const std::string& mesh_name) {
+        const bool is_points = primitive.mode == TINYGLTF_MODE_POINTS;
+        if (!is_points && primitive.mode != TINYGLTF_MODE_LINE && primitive.mode != TINYGLTF_MODE_LINE_LOOP &&
+            primitive.mode != TINYGLTF_MODE_LINE_STRIP)
+            return false;
+        std::string words =
+            fmt::format("mesh {}: {}", mesh_name.empty() ? std::to_string(index) : in_quotes(mesh_name),
+                        is_points ? "points" : "lines");
+        if (std::find(left_out_.begin(), left_out_.end(), words) == left_out_.end())
+            left_out_.push_back(std::move(words));
+        return true;
+    }
+
     Result<void> add_primitive(const tinygltf::Primitive& primitive, const std::string& node,
-                               const dmat4& place) {
-        // tinygltf returns -1 if the file omits the mode, which means triangles.
-        if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) {
-            return bad_input(fmt::format("expected triangles, found mode {}", primitive.mode));
-        }
-        GltfPart part{.node = valid_utf8(node), .mesh = {}, .colours = {}, .material = primitive.material};
+                               const std::string& mesh_name, const dmat4& place) {
+        GltfPart part{.node = valid_utf8(node),
+                      .mesh_name = valid_utf8(mesh_name),
+                      .mesh = {},
+                      .colours = {},
+                      .material = primitive.material};
         if (primitive.material >= 0 &&
             static_cast<std::size_t>(primitive.material) >= model_.materials.size()) {
             return bad_input(fmt::format("material {}: expected one, found none", primitive.material));
@@ -450,6 +480,27 @@ class Gathering {
         const bool is_inside =
             std::all_of(into.begin(), into.end(), [&](std::uint32_t index) { return index < vertices; });
         if (!is_inside) return bad_input("expected indices of vertices, found one past the last");
+        return as_triangles(primitive.mode, most, into);
+    }
+
+    // Strips and fans as single triangles (glTF 2.0, 3.7.2.1); those without an area, which join strips, are
+    // dropped.
+    static Result<void> as_triangles(int mode, std::size_t most, std::vector<std::uint32_t>& indices) {
+        // tinygltf gives -1 where the file leaves the mode out, which means triangles.
+        if (mode == TINYGLTF_MODE_TRIANGLES || mode == -1) return {};
+        if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN)
+            return bad_input(fmt::format("expected triangles, found mode {}", mode));
+        if (indices.size() > most / 3 + 2)
+            return bad_input("expected fewer triangles, found more than the limit");
+        const std::vector<std::uint32_t> row = std::exchange(indices, {});
+        for (std::size_t i = 0; i + 2 < row.size(); ++i) {
+            const bool is_fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+            const std::uint32_t first = is_fan ? row[0] : row[i];
+            const std::uint32_t second = row[i + 1 + (is_fan ? 0 : i % 2)];
+            const std::uint32_t third = row[i + 2 - (is_fan ? 0 : i % 2)];
+            if (first == second || second == third || third == first) continue;
+            indices.insert(indices.end(), {first, second, third});
+        }
         return {};
     }
 
@@ -476,26 +527,37 @@ class Gathering {
     const tinygltf::Model& model_;
     const GltfLimits& limits_;
     std::vector<GltfPart> parts_;
+    std::vector<std::string> left_out_;
     std::size_t visited_ = 0;
     std::size_t vertices_ = 0;
     std::size_t triangles_ = 0;
 };
 
+// Whether a file can be drawn in plain colours without it: it says how a surface looks, not where it is.
+bool is_of_the_surface(std::string_view extension) {
+    return extension.starts_with("KHR_materials_") || extension.starts_with("KHR_texture_") ||
+           extension.starts_with("EXT_texture_") || extension == "KHR_lights_punctual";
+}
+
 Result<GltfModel> decode(std::span<const std::byte> bytes, const GltfLimits& limits) {
     if (auto good = check_header(bytes, limits); !good) return good.error();
     auto parsed = parse(bytes);
     if (!parsed) return parsed.error();
-    if (!parsed->extensionsRequired.empty()) {
-        return bad_input(
-            fmt::format("expected no required extension, found {}",
-                        first_line(fmt::format("{}", fmt::join(parsed->extensionsRequired, ", ")))));
-    }
     GltfModel model;
+    for (const std::string& extension : parsed->extensionsRequired) {
+        if (!is_of_the_surface(extension))
+            return bad_input(
+                fmt::format("expected no required extension of the shape, found {}", first_line(extension)));
+        model.left_out.push_back("extension " + first_line(extension));
+    }
     for (const tinygltf::Material& material : parsed->materials)
         model.materials.push_back(material_of(material));
-    auto parts = Gathering(*parsed, limits).gather();
+    Gathering gathering(*parsed, limits);
+    auto parts = gathering.gather();
     if (!parts) return parts.error();
     model.parts = std::move(*parts);
+    for (std::string& words : gathering.take_left_out())
+        model.left_out.push_back(std::move(words));
     return model;
 }
 

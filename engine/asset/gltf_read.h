@@ -26,21 +26,25 @@ struct GltfLimits {
 
 // One primitive of a node, transformed by the node and its ancestors.
 struct GltfPart {
-    std::string node;  // its name; may be empty
-    Mesh mesh;         // metres, +Y up, counter-clockwise from outside, even below a mirroring node
+    std::string node;       // its name; may be empty
+    std::string mesh_name;  // may be empty
+    Mesh mesh;              // metres, +Y up, counter-clockwise from outside, even below a mirroring node
     // COLOR_0 as linear red, green, blue, alpha; empty if the file has none, otherwise one per vertex.
     std::vector<vec4> colours;
     int material = -1;  // index into GltfModel::materials; -1: glTF's default, white and rough
 };
 
 struct GltfModel {
-    std::vector<Material> materials;  // factors only, textures are not read
-    std::vector<GltfPart> parts;      // in the order of the scene's nodes; at least one
+    std::vector<Material> materials;    // factors only, textures are not read
+    std::vector<GltfPart> parts;        // in the order of the scene's nodes; at least one
+    std::vector<std::string> left_out;  // "mesh 'grid': lines", each once: what is there and is not drawn
 };
 
-// Reads the default scene, or the first. Errors call the file `name`. kBadInput for anything but a whole GLB
-// of triangles within the limits, including sparse or compressed accessors, required extensions, and buffers
-// or images outside the file. Missing normals are computed, smooth across shared vertices.
+// Reads the default scene, or the first; in a file without scenes, all root nodes. Triangles, strips and fans
+// are read. Points and lines are left out, and so are extensions of the surface (KHR_materials_*, textures,
+// lights), even if the file requires them. Errors call the file `name`. kBadInput for anything but a whole
+// GLB with triangles within the limits, including sparse or compressed accessors, other required extensions,
+// and buffers or images outside the file. Missing normals are computed, smooth across shared vertices.
 Result<GltfModel> decode_glb(std::span<const std::byte> bytes, std::string_view name,
                              const GltfLimits& limits = {});
 

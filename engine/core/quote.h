@@ -26,15 +26,28 @@ inline std::size_t shown_character_length(std::string_view text) {
     return length;
 }
 
-// Returns `text` between single quotes, with unprintable bytes written as \xNN and cut after `most_bytes`, so
-// that a binary file cannot spoil a one-line message.
+// Whether a character is displayed as nothing or as a space, so that two texts that differ in it look alike:
+// no-break space, soft hyphen, U+2000 to U+200F, U+2028 to U+202F, U+205F to U+206F, ideographic space, byte
+// order mark.
+inline bool is_invisible(std::string_view character) {
+    if (character == "\xc2\xa0" || character == "\xc2\xad" || character == "\xe3\x80\x80" ||
+        character == "\xef\xbb\xbf")
+        return true;
+    if (character.size() != 3 || character[0] != '\xe2') return false;
+    const auto last = static_cast<unsigned char>(character[2]);
+    if (character[1] == '\x80') return last <= 0x8f || (last >= 0xa8 && last <= 0xaf);
+    return character[1] == '\x81' && last >= 0x9f && last <= 0xaf;
+}
+
+// Returns `text` between single quotes, with unprintable and invisible characters written as \xNN and cut
+// after `most_bytes`, so that a binary file cannot spoil a one-line message.
 inline std::string in_quotes(std::string_view text, std::size_t most_bytes = 40) {
     static constexpr std::string_view kDigits = "0123456789abcdef";
     std::string shown = "'";
     std::size_t at = 0;
     while (at < text.size() && at < most_bytes) {
         const std::size_t length = shown_character_length(text.substr(at));
-        if (length > 0) {
+        if (length > 0 && !is_invisible(text.substr(at, length))) {
             shown += text.substr(at, length);
             at += length;
             continue;

@@ -5,6 +5,8 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cerrno>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -111,16 +113,23 @@ std::filesystem::path descriptor_path(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-// Makes the rename durable. Some file systems cannot sync a folder and return EINVAL, which is ignored.
-int sync_new_name(const std::filesystem::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return errno == EACCES ? 0 : errno;  // a folder may be writable but not readable
-    const int error = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
-    ::close(descriptor);
-    return error;
-}
+std::atomic<bool> folder_sync_refused{false};
 
 }  // namespace
+
+int sync_folder(const std::filesystem::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return errno == EACCES ? 0 : errno;  // a folder may be writable but not readable
+    const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+    ::close(descriptor);
+    if (error != EINVAL && error != ENOTSUP && error != ENOSYS) return error;
+    folder_sync_refused = true;
+    return 0;
+}
+
+bool folder_sync_was_refused() noexcept {
+    return folder_sync_refused;
+}
 
 Result<void> check_output_place(const std::filesystem::path& destination) {
     if (auto place = find_output_place(destination); !place) return place.error();
@@ -245,7 +254,7 @@ Result<void> AtomicFile::commit() {
     if (::close(std::exchange(descriptor_, -1)) != 0) return lost(errno, "write");
     if (::rename(beside_.c_str(), destination_.c_str()) != 0) return lost(errno, "write");
     beside_.clear();
-    if (const int error = sync_new_name(place.folder); error != 0) {
+    if (const int error = sync_folder(place.folder); error != 0) {
         return error_of_errno(shown_, error, "sync the folder");
     }
     return {};

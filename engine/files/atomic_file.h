@@ -17,6 +17,10 @@ namespace onggi::files {
 // lacks: permission denied, a file system that cannot be written.
 [[nodiscard]] Result<void> check_output_place(const std::filesystem::path& destination);
 
+// Whether a file system has refused to sync a folder since the start: a power cut may lose the name of the
+// newest file there. Any thread.
+[[nodiscard]] bool folder_sync_was_refused() noexcept;
+
 // The temporary file until commit().
 enum class Beside {
     kNameless,  // an unnamed file if the file system supports it: a killed program leaves nothing behind

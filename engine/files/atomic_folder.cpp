@@ -1,6 +1,5 @@
 #include "engine/files/atomic_folder.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>  // NOLINT: kill is POSIX
 #include <unistd.h>
@@ -13,6 +12,7 @@
 
 #include "engine/core/list_folder.h"
 #include "engine/core/quote.h"
+#include "engine/files/file_errors.h"
 
 namespace onggi::files {
 namespace {
@@ -24,13 +24,9 @@ Error lost(const fs::path& place, std::string_view doing, const std::error_code&
         fmt::format("{}: expected {}, found {}", shown_path(place.string()), doing, error.message()));
 }
 
-Result<void> sync_folder(const fs::path& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return lost(folder, "to open the folder", {errno, std::generic_category()});
-    const int synced = ::fsync(descriptor);
-    const std::error_code error(errno, std::generic_category());
-    ::close(descriptor);
-    if (synced != 0) return lost(folder, "to sync the folder", error);
+Result<void> synced(const fs::path& folder) {
+    if (const int error = sync_folder(folder); error != 0)
+        return lost(folder, "to sync the folder", {error, std::generic_category()});
     return {};
 }
 
@@ -73,12 +69,12 @@ Result<AtomicFolder> AtomicFolder::create(const fs::path& destination) {
 }
 
 Result<void> AtomicFolder::commit() {
-    if (auto synced = sync_folder(part_); !synced) return synced;
+    if (auto done = synced(part_); !done) return done;
     std::error_code error;
     fs::rename(part_, destination_, error);
     if (error) return lost(destination_, "to rename a folder into place", error);
     part_.clear();
-    return sync_folder(destination_.has_parent_path() ? destination_.parent_path() : fs::path("."));
+    return synced(destination_.has_parent_path() ? destination_.parent_path() : fs::path("."));
 }
 
 Result<void> take_away_folder(const fs::path& folder) {
@@ -89,6 +85,8 @@ Result<void> take_away_folder(const fs::path& folder) {
     fs::rename(folder, part, error);
     if (error == std::errc::no_such_file_or_directory)
         return bad_input(fmt::format("{}: expected a folder, found none", shown_path(folder.string())));
+    // overlayfs renames no folder of a lower layer: there the files go one by one.
+    if (error == std::errc::cross_device_link) fs::remove_all(folder, error);
     if (!error) fs::remove_all(part, error);
     if (error) return lost(folder, "to remove it", error);
     return {};

@@ -33,7 +33,8 @@ class AtomicFolder {
 };
 
 // Removes a folder with its content. It is first renamed to NAME.part, so that a power cut never leaves half
-// a folder. Errors: system lacks if it cannot be removed; bad input if it does not exist.
+// a folder; on overlayfs, which cannot rename a folder of its lower layer, it is removed file by file.
+// Errors: system lacks if it cannot be removed; bad input if it does not exist.
 Result<void> take_away_folder(const std::filesystem::path& folder);
 
 // Removes every NAME.part folder in `around` (with `deep` also in its folders), and the temporary AtomicFile

@@ -1,4 +1,5 @@
-// Inside engine/files only: turns errno and file types into the one line that a user reads. Any thread.
+// Inside engine/files only: turns errno and file types into the one line that a user reads, and syncs
+// folders. Any thread.
 #pragma once
 
 #include <sys/stat.h>
@@ -56,5 +57,10 @@ inline Error error_of_errno(const std::filesystem::path& path, int error_number,
     return {kind_of_errno(error_number), shown(path) + ": cannot " + std::string(doing) + ": " +
                                              std::generic_category().message(error_number)};
 }
+
+// Makes the names in a folder last through a power cut. Returns 0 or an errno. Network and FUSE file systems
+// that cannot sync a folder refuse with EINVAL, ENOTSUP or ENOSYS: no program can do more there, so that
+// counts as done.
+[[nodiscard]] int sync_folder(const std::filesystem::path& folder);
 
 }  // namespace onggi::files

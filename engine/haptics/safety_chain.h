@@ -86,7 +86,7 @@ struct SafetyInput {
     dvec3 position_mm{0.0};         // of the tool, as the device reported it
     double dt_s = 0.0;              // since the last tick: one step, two at most; 0 to longest_tick_s
     dvec3 velocity_mm_s{0.0};       // of the tool, from a windowed estimator: velocity_estimator.h
-    dvec3 driven_force_n{0.0};      // the part that the wheel's motor drives: the drag of the turning clay
+    dvec3 driven_force_n{0.0};      // the part that the wheel's motor drives: the drag of the turning work
     double applied_fraction = 1.0;  // fraction of the chain's last force that was applied, 0 to 1: a device
                                     // may have ramps and limits of its own
     std::uint32_t late = 0;         // periods missed since the last tick

@@ -5,7 +5,7 @@
 // counts as absent, and the force comes back through the ramp.
 //
 // The timeout is 5 ms (SAFETY.md). The thread checks every ms, on the other cores, with real-time priority if
-// granted; without it the kernel may delay it by some ms. A USB device learns of it with its next packet: HID
+// granted; without it the kernel may delay it by some ms. A USB device receives it with its next packet: HID
 // reports go out every 4 ms, so 5 + 1 + 4 ms.
 #pragma once
 

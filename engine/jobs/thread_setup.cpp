@@ -72,7 +72,7 @@ void drop_pages(std::uintptr_t first, std::uintptr_t end) {
     if (munlock(at, end - first) == 0) madvise(at, end - first, MADV_DONTNEED);
 }
 
-// Of any other library: pages that nobody has written, which the kernel can read again.
+// Drops the unwritten pages of libraries that no tick runs; the kernel can read them again.
 int drop_code(dl_phdr_info* library, std::size_t /*size*/, void* /*unused*/) {
     const std::string_view path = library->dlpi_name;
     if (may_run_in_a_tick(path.substr(path.rfind('/') + 1))) return 0;

@@ -105,10 +105,10 @@ void keep_heaps_small();
 // but a tick's.
 void give_back_freed_memory();
 
-// Hands back the code of all libraries but those that a tick runs: a software driver's compiler above all, up
-// to 50 MB, and 30 MB that only a start needs; and fonts. The kernel keeps it or reads it again as it likes,
-// and no lock holds it any longer; what is run again comes back as it is used, page by page. To be called
-// when a driver has compiled and when something else begins. Takes about a ms. Any thread but a tick's.
+// Releases the code of all libraries except those that a tick runs: mainly a software driver's compiler, up
+// to 50 MB, and 30 MB used only at the start; also fonts. Unlocks the pages, so that the kernel may drop
+// them; it reads them again on use. Call it after a driver has compiled and when the kind of work changes.
+// Takes about a ms. Any thread but a tick's.
 void give_back_code();
 
 // Sets up the calling thread: pins it to the core, locks the process's memory, touches its stack, and

@@ -25,7 +25,7 @@ struct FrameStats {
     FrameWork work{};
     double host_ms = 0.0;    // from acquiring the target's image to submitting the frame; 0: no host clock
     double device_ms = 0.0;  // of the previous frame, from its first command to its last; 0: not measured
-    // Of the same frame: its parts on the host and on the device, if measured.
+    // The measured parts of the same frame on the host and on the device.
     std::vector<PassTime> parts{};
     bool device_drew_scene = false;  // in the same frame; false: a screen or a resting scene
 };

@@ -11,15 +11,14 @@ Result<void> check_desc(const RendererDesc& desc) {
     if (desc.backend == Backend::kCpu) {
         if (desc.samples == 1 && is_whole && !desc.inside_out) return {};
         return failed(
-            "renderer: expected one sample a pixel, the whole size and outer faces of the processor's "
-            "backend, "
+            "renderer: expected one sample per pixel, full size and outer faces for the processor's backend, "
             "found others");
     }
     const bool has_samples = desc.samples == 1 || desc.samples == 4;
     if (has_samples && desc.scale >= 0.25F && desc.scale <= 1.0F && !desc.smooths_outlines) return {};
     return failed(
-        "renderer: expected one or four samples a pixel, a scale of 0.25 to 1 and no smoothing after them of "
-        "the Vulkan backend, found others");
+        "renderer: expected one or four samples per pixel, a scale of 0.25 to 1 and no smoothing for the "
+        "Vulkan backend, found others");
 }
 
 RendererDesc still_desc(VkFormat colour_format) {

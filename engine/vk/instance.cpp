@@ -114,10 +114,9 @@ Result<std::unique_ptr<Instance>> Instance::create(const InstanceDesc& desc) {
                                     .ppEnabledExtensionNames = extensions.data()};
     if (const VkResult result = vkCreateInstance(&info, nullptr, &self->instance_); result != VK_SUCCESS) {
         // has_layer() checks only the layer's manifest, not that it loads.
-        const char* remedy =
-            result == VK_ERROR_LAYER_NOT_PRESENT
-                ? "a layer that is asked for does not load; install it anew (vulkan-validationlayers)"
-                : "install a driver (mesa-vulkan-drivers)";
+        const char* remedy = result == VK_ERROR_LAYER_NOT_PRESENT
+                                 ? "a requested layer does not load; reinstall it (vulkan-validationlayers)"
+                                 : "install a driver (mesa-vulkan-drivers)";
         return system_lacks(
             fmt::format("Vulkan: expected an instance, found {}; {}", result_name(result), remedy));
     }

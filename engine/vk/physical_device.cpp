@@ -213,7 +213,7 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
                         request, names_of(devices)));
     }
     return system_lacks(
-        fmt::format("Vulkan: expected a device with all that is needed, found {}; install a newer driver "
+        fmt::format("Vulkan: expected a device with all required features, found {}; install a newer driver "
                     "(mesa-vulkan-drivers draws without a GPU)",
                     names_of(devices)));
 }

@@ -218,10 +218,14 @@ class GlfwWindow final : public Window {
     [[nodiscard]] std::vector<Event> poll_events() override {
         glfwPollEvents();
         if (fingers_) follow_fingers();
+        show_cursor(arrow_.is_shown(glfwGetTime()));
         // After a monitor is unplugged the window is no longer full screen; restore that when it is plugged
         // in again.
-        if (wants_full_screen_ && glfwGetWindowMonitor(window_) == nullptr) fill_screen();
-        if (std::exchange(moved_, false)) refresh_hz_ = refresh_now_hz();
+        if (wants_full_screen_ && !fills_screen()) fill_screen();
+        if (std::exchange(moved_, false)) {
+            come_onto_the_display();
+            refresh_hz_ = refresh_now_hz();
+        }
         return std::exchange(events_, {});
     }
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return gamepads_now(); }
@@ -238,12 +242,14 @@ class GlfwWindow final : public Window {
 
     void set_full_screen(bool full_screen) override {
         wants_full_screen_ = full_screen;
-        if ((glfwGetWindowMonitor(window_) != nullptr) == full_screen) return;
+        if (fills_screen() == full_screen) return;
         if (full_screen) {
             glfwGetWindowPos(window_, &windowed_x_, &windowed_y_);
             glfwGetWindowSize(window_, &windowed_.width, &windowed_.height);
             fill_screen();
         } else {
+            if (std::exchange(covers_display_, false))
+                glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_TRUE);
             const Size size = windowed_.width > 0 ? windowed_ : Size{1280, 720};
             glfwSetWindowMonitor(window_, nullptr, windowed_x_, windowed_y_, size.width, size.height,
                                  GLFW_DONT_CARE);
@@ -254,11 +260,31 @@ class GlfwWindow final : public Window {
     static GlfwWindow& self(GLFWwindow* window) {
         return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
     }
+    [[nodiscard]] bool fills_screen() const {
+        return covers_display_ || glfwGetWindowMonitor(window_) != nullptr;
+    }
     void fill_screen() {
         GLFWmonitor* monitor = glfwGetPrimaryMonitor();
         const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
         if (mode == nullptr) return;
         glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+    // If RandR reports no CRTC, GLFW 3.3 places a full-screen window at uninitialised coordinates, out of
+    // sight. A window without decoration then covers the display.
+    void come_onto_the_display() {
+        GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
+        const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+        if (mode == nullptr) return;
+        int left = 0;
+        int top = 0;
+        int x = 0;
+        int y = 0;
+        glfwGetMonitorPos(monitor, &left, &top);
+        glfwGetWindowPos(window_, &x, &y);
+        if (std::abs(x - left) < mode->width && std::abs(y - top) < mode->height) return;
+        covers_display_ = true;
+        glfwSetWindowMonitor(window_, nullptr, left, top, mode->width, mode->height, GLFW_DONT_CARE);
+        glfwSetWindowAttrib(window_, GLFW_DECORATED, GLFW_FALSE);
     }
     // The refresh rate of the display that shows the window's centre, or of the first one. It queries the
     // server, so it is not called every frame.
@@ -299,10 +325,9 @@ class GlfwWindow final : public Window {
         return PointerEvent{x * pixels.width / units.width, y * pixels.height / units.height};
     }
     void push_pointer(double x, double y) {
-        show_cursor(true);
+        arrow_.moved(x, y, glfwGetTime());
         if (const auto pointer = in_pixels(x, y)) push(*pointer);
     }
-    // Hides the pointer while fingers are used.
     void show_cursor(bool shows) {
         if (std::exchange(shows_cursor_, shows) != shows)
             glfwSetInputMode(window_, GLFW_CURSOR, shows ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
@@ -312,7 +337,7 @@ class GlfwWindow final : public Window {
             const auto place = in_pixels(touch.x_px, touch.y_px).value_or(PointerEvent{});
             touch.x_px = place.x_px;
             touch.y_px = place.y_px;
-            show_cursor(false);
+            arrow_.touched();
             leading_.follow(touch, events_);
         }
     }
@@ -323,8 +348,10 @@ class GlfwWindow final : public Window {
     std::unique_ptr<TouchScreen> fingers_;  // null: touches move the pointer
     LeadingFinger leading_;
     bool shows_cursor_ = true;
+    PointerArrow arrow_{fingers_ == nullptr};
     double refresh_hz_ = refresh_now_hz();
-    bool moved_ = false;  // perhaps to another display
+    bool moved_ = true;            // perhaps to another display
+    bool covers_display_ = false;  // without being GLFW's full screen
     Size windowed_;
     int windowed_x_ = 0;
     int windowed_y_ = 0;

@@ -10,6 +10,27 @@
 
 namespace onggi::window {
 
+void PointerArrow::moved(double x_px, double y_px, double now_s) {
+    constexpr double kPauseS = 0.5;  // what comes later is another movement
+    constexpr int kFewestMoves = 3;
+    constexpr double kJoltPx = 24.0;
+    if (moves_ == 0 || now_s - moved_s_ > kPauseS) {
+        moves_ = 0;
+        from_x_px_ = x_px;
+        from_y_px_ = y_px;
+    }
+    ++moves_;
+    moved_s_ = now_s;
+    is_shown_ =
+        is_shown_ || (moves_ >= kFewestMoves && std::hypot(x_px - from_x_px_, y_px - from_y_px_) >= kJoltPx);
+}
+
+bool PointerArrow::is_shown(double now_s) {
+    constexpr double kStillS = 20.0;
+    is_shown_ = is_shown_ && now_s - moved_s_ <= kStillS;
+    return is_shown_;
+}
+
 void LeadingFinger::follow(const Touch& touch, std::vector<Event>& events) {
     if (touch.phase == Touch::Phase::kBegin) return begin(touch, events);
     if (touch.finger != finger_) return;

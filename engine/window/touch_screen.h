@@ -39,6 +39,26 @@ class LeadingFinger {
     Touch still_{};  // its last position that counted as motion, and when
 };
 
+// Whether the window shows the pointer's arrow: only while a mouse moves. Ignores jumps, because a display
+// server places the pointer at the start and after a reconnection, and small movements of a mouse that was
+// jolted. Time in s, of any clock that does not go back; places in px.
+class PointerArrow {
+  public:
+    explicit PointerArrow(bool is_shown) : is_shown_(is_shown) {}
+
+    void moved(double x_px, double y_px, double now_s);
+    void touched() { is_shown_ = false; }
+    // Hides it once it has been still for a while.
+    [[nodiscard]] bool is_shown(double now_s);
+
+  private:
+    bool is_shown_;
+    int moves_ = 0;  // of the movement that began at from_*
+    double from_x_px_ = 0.0;
+    double from_y_px_ = 0.0;
+    double moved_s_ = 0.0;
+};
+
 class TouchScreen {
   public:
     // Subscribes to the touches of this window on the server in DISPLAY; they no longer move the pointer.

@@ -1,4 +1,4 @@
-// onggi: a potter's wheel one can feel. Each command has its own file; here they are in the order of --help.
+// onggi: a potter's wheel with haptics. Each command has its own file; their order here is that of --help.
 #include <CLI/CLI.hpp>
 #include <csignal>
 
@@ -7,7 +7,7 @@
 #include "game/app/system/crash_report.h"
 
 int main(int argc, char** argv) {
-    // A file that may not grow further is then a failed write with a message, not a silent end.
+    // Exceeding the file size limit then fails the write with a message, instead of ending the program.
     std::signal(SIGXFSZ, SIG_IGN);
     onggi::app::report_crashes();
     onggi::jobs::keep_heaps_small();

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "engine/core/cells.h"
 #include "engine/core/quote.h"
+#include "engine/core/table.h"
 #include "engine/files/read_file.h"
-#include "game/heritage/table.h"
 
 namespace onggi::heritage {
 namespace {
@@ -27,9 +26,9 @@ std::optional<KnownBy> known_by(std::string_view word) {
 // Index of each column, by name.
 using Columns = std::map<std::string, std::size_t, std::less<>>;
 
-Result<Columns> columns_of(std::string_view header, std::string_view name) {
+Result<Columns> columns_of(const Table& table, std::string_view name) {
     Columns columns;
-    for (const std::string_view column : cells_of(header, ','))
+    for (const std::string& column : table.columns)
         if (!columns.emplace(column, columns.size()).second)
             return at_row(name, 1,
                           fmt::format("expected each column once, found {} twice", in_quotes(column)));
@@ -85,13 +84,13 @@ const std::array<std::string, kCardLines>& Card::in(std::string_view language) c
 Result<std::map<std::string, Card, std::less<>>> parse_cards(std::string_view table,
                                                              std::string_view table_name,
                                                              std::span<const Target> targets) {
-    const std::string_view header = table.substr(0, table.find('\n'));
-    const auto columns = columns_of(header, table_name);
+    const auto parsed = parse_table(table, table_name);
+    if (!parsed) return parsed.error();
+    const auto columns = columns_of(*parsed, table_name);
     if (!columns) return columns.error();
-    const auto rows = parse_table(table, header, table_name);
-    if (!rows) return rows.error();
+    if (parsed->rows.empty()) return at_row(table_name, 2, "expected at least one row, found none");
     std::map<std::string, Card, std::less<>> cards;
-    for (const TableRow& row : *rows) {
+    for (const TableRow& row : parsed->rows) {
         const std::string& id = row.fields[columns->find("id")->second];
         const bool is_known = std::any_of(targets.begin(), targets.end(),
                                           [&](const Target& target) { return target.id == id; });

@@ -188,7 +188,7 @@ std::string report(const Score& score, const Target& target) {
     }
     text += fmt::format("  profile      {:8.1f} mm RMS from an outline of {} published and {} drawn points\n",
                         score.profile_rms_mm, score.published_points, score.drawn_points);
-    text += fmt::format("  off by       {:8.1f} mm in the mean of what is published\n", score.mean_off_mm);
+    text += fmt::format("  off by       {:8.1f} mm, mean over the published measures\n", score.mean_off_mm);
     return text;
 }
 

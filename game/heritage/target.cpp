@@ -7,8 +7,8 @@
 
 #include "engine/core/number_in.h"
 #include "engine/core/quote.h"
+#include "engine/core/table.h"
 #include "engine/files/read_file.h"
-#include "game/heritage/table.h"
 
 namespace onggi::heritage {
 namespace {
@@ -64,10 +64,11 @@ auto found(std::vector<Target>& targets, std::string_view id) {
 }
 
 Result<std::vector<Target>> parse_table_of_targets(std::string_view text, std::string_view name) {
-    auto rows = parse_table(text, kTargetsHeader, name);
-    if (!rows) return rows.error();
+    auto table = parse_table(text, name, kTargetsHeader);
+    if (!table) return table.error();
+    if (table->rows.empty()) return at_row(name, 2, "expected at least one row, found none");
     std::vector<Target> targets;
-    for (const TableRow& row : *rows) {
+    for (const TableRow& row : table->rows) {
         Fields fields(row, name);
         Target target;
         target.id = fields.text(0);
@@ -137,10 +138,10 @@ std::string outline_fault(const Target& target) {
 }
 
 Result<void> add_outlines(std::vector<Target>& targets, std::string_view text, std::string_view name) {
-    auto rows = parse_table(text, kOutlinesHeader, name);
-    if (!rows) return rows.error();
+    auto table = parse_table(text, name, kOutlinesHeader);
+    if (!table) return table.error();
     std::vector<std::size_t> last_line(targets.size(), 1);
-    for (const TableRow& row : *rows) {
+    for (const TableRow& row : table->rows) {
         Fields fields(row, name);
         const auto target = found(targets, fields.text(0));
         if (target == targets.end())

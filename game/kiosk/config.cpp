@@ -1,6 +1,7 @@
 #include "game/kiosk/config.h"
 
 #include <fmt/format.h>
+#include <idn2.h>
 
 #include <algorithm>
 #include <functional>
@@ -76,25 +77,63 @@ bool is_pin(const std::string& pin) {
     return digits && (pin.empty() || (pin.size() >= 4 && pin.size() <= 8));
 }
 
+// Whether a port stands behind an address or interface: "10.0.0.5:80", "wlan0:8080". An interface may have
+// aliases ("eth0:1"), numbered from 0 on.
+bool has_port(const std::string& text) {
+    constexpr int kMostAliases = 79;
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos || colon != text.rfind(':')) return false;
+    return text.find('.') < colon || number_in<int>(text.substr(colon + 1)).value_or(0) > kMostAliases;
+}
+
 // "10.0.0.5", "fd00::5", "wlan0"; only the machine that listens can resolve it.
 bool is_address_or_interface(const std::string& text) {
-    return text.size() <= 45 && std::all_of(text.begin(), text.end(), [](char letter) {
+    return text.size() <= 45 && !has_port(text) && std::all_of(text.begin(), text.end(), [](char letter) {
                return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
                       (letter >= '0' && letter <= '9') ||
                       std::string_view(".:-_@").find(letter) != std::string_view::npos;
            });
 }
 
-// http:// or https://, a host, and characters that need no percent-encoding (RFC 3986).
-bool is_web_address(const std::string& text) {
-    if (text.empty()) return true;
-    const std::size_t host = text.starts_with("https://") ? 8 : text.starts_with("http://") ? 7 : text.size();
-    return host < text.size() && text[host] != '/' && text.size() <= 200 &&
-           std::all_of(text.begin(), text.end(), [](char letter) {
-               return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-                      (letter >= '0' && letter <= '9') ||
-                      std::string_view(":/.-_~[]").find(letter) != std::string_view::npos;
-           });
+bool is_unreserved(char letter) {
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+           (letter >= '0' && letter <= '9') ||
+           std::string_view(":/.-_~[]").find(letter) != std::string_view::npos;
+}
+
+// An address as phones need it: http:// or https://, in small letters, the host in ASCII (IDNA 2008), and
+// characters that need no percent-encoding (RFC 3986). Empty: it is none.
+std::optional<std::string> web_address(const std::string& text) {
+    constexpr std::size_t kMostBytes = 200;
+    const std::size_t scheme_end = text.find("://");
+    if (scheme_end == std::string::npos || text.size() > kMostBytes) return std::nullopt;
+    std::string scheme = text.substr(0, scheme_end);
+    std::transform(scheme.begin(), scheme.end(), scheme.begin(),
+                   [](char letter) { return letter >= 'A' && letter <= 'Z' ? letter - 'A' + 'a' : letter; });
+    const std::string rest = text.substr(scheme_end + 3);
+    const bool is_ipv6 = rest.starts_with('[');
+    const std::size_t host_end = is_ipv6 ? 0 : std::min(rest.find_first_of(":/"), rest.size());
+    std::string host = rest.substr(0, host_end);
+    if ((scheme != "http" && scheme != "https") || (host.empty() && !is_ipv6)) return std::nullopt;
+    if (!std::all_of(host.begin(), host.end(), is_unreserved)) {
+        char* ascii = nullptr;
+        if (::idn2_to_ascii_8z(host.c_str(), &ascii, IDN2_NFC_INPUT | IDN2_NONTRANSITIONAL) != IDN2_OK)
+            return std::nullopt;
+        host = ascii;
+        ::idn2_free(ascii);
+    }
+    std::string address = scheme + "://" + host + rest.substr(host_end);
+    if (!std::all_of(address.begin(), address.end(), is_unreserved)) return std::nullopt;
+    return address;
+}
+
+Setting web_address_or_nothing(std::string& into) {
+    return {"an address such as \"https://museum.org/pots\"", [&into](const toml::node& node) {
+                const auto value = node.is_string() ? node.value<std::string>() : std::nullopt;
+                const auto address = value && !value->empty() ? web_address(*value) : value;
+                if (address) into = *address;
+                return address.has_value();
+            }};
 }
 
 Setting codes(std::vector<std::string>& into) {
@@ -161,11 +200,11 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"hours.opens", time_of_day(config.hours.opens_min)},
         {"hours.closes", time_of_day(config.hours.closes_min)},
         {"sharing.listen",
-         words(config.sharing.listen, "an address such as \"10.0.0.5\" or an interface such as \"wlan0\"",
+         words(config.sharing.listen,
+               "an address such as \"10.0.0.5\" or an interface such as \"wlan0\", without a port",
                is_address_or_interface)},
         {"sharing.port", whole(config.sharing.port, 1, 65535, "a whole number, 1 to 65535")},
-        {"sharing.public_url",
-         words(config.sharing.public_url, "an address such as \"https://museum.org/pots\"", is_web_address)},
+        {"sharing.public_url", web_address_or_nothing(config.sharing.public_url)},
         {"sharing.outbox", words(config.sharing.outbox, "a folder", something)},
         {"sharing.wifi_name", words(config.sharing.wifi_name, "a name of 32 letters at most",
                                     [](const std::string& text) { return text.size() <= 32; })},

@@ -91,7 +91,7 @@ void Turn::end_visit() {
     }
     const State before = state;
     state = first_state(rules, now_s);
-    // What is the kiosk's and not the visitor's.
+    // State of the kiosk, not of the visitor.
     state.device_lost = before.device_lost;
     state.pin_guard = before.pin_guard;
     state.comfort.volume = state.house_volume = before.house_volume;
@@ -199,7 +199,7 @@ void touch_clay(Turn& turn, bool goes_on) {
     if (state.screen != Screen::kThrow) return;
     end_show(turn);
     end_aside(turn);
-    // Hands that a key sent work on for a while. What is asked for meanwhile, and what is said to it, stays.
+    // Guided hands that a key started work on for a while; requests and cards of that time stay.
     if (!goes_on) state.throwing.tray = state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
     state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
     state.pace.touched_s = turn.now_s;

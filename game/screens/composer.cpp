@@ -63,7 +63,7 @@ std::int64_t Composer::round(std::int64_t now_ns) noexcept {
     }
     shown_turn_ = -1.0;
     done_.put(composed);
-    // What painting took, and what the screen before was painted of.
+    // Returns the memory of the painting and of the previous screen to the system.
     if (is_other_screen) jobs::give_back_freed_memory();
     return 0;
 }

@@ -1,5 +1,5 @@
-// Composes and paints screens beside the frame: a first label costs tens of milliseconds, and a pot as many.
-// The newest request wins; what lies between is never painted. Main thread, except where it says otherwise.
+// Composes and paints screens on a background thread, because a first label or a pot costs tens of
+// milliseconds. Only the newest request is painted. Main thread, except as noted.
 #pragma once
 
 #include <atomic>
@@ -17,18 +17,18 @@
 
 namespace onggi::screens {
 
-// The pots of a composition as they stand just now, by the keys of their items.
+// The present pictures of a composition's turning pots, by the keys of their items.
 struct Turned {
     std::uint64_t key = 0;
     std::shared_ptr<const ui::Painting> painting;
 };
 using TurnedPots = std::vector<Turned>;
 
-// How far a pot on a shelf has turned: nine seconds a turn, not while a finger is on it; for who wants less
-// motion four views, four seconds each. Pure; seconds.
+// The rotation of a pot on a shelf: nine seconds a turn, paused while a finger is on it; with less motion,
+// four views of four seconds each. Pure; seconds.
 class TurnTable {
   public:
-    // dt_s after the last call. 0 to 1.
+    // dt_s is the time since the last call. Returns 0 to 1.
     double pass(double dt_s, bool still, bool held);
 
   private:
@@ -51,11 +51,11 @@ class Composer final : private jobs::IoWork {
 
     // Wait-free.
     void ask(std::shared_ptr<const View> view) noexcept { requests_.put(view); }
-    // A finger lies on the pots: they stand still.
+    // Stops the pots while a finger is on them.
     void hold(bool held) noexcept { held_.store(held, std::memory_order_relaxed); }
-    // The pots of latest(), turned on; null while nothing turns.
+    // The present pictures of latest()'s pots; null while nothing turns.
     [[nodiscard]] std::shared_ptr<const TurnedPots> turned() noexcept { return turned_.latest(); }
-    // The last one finished; null before the first.
+    // The last finished composition; null before the first.
     [[nodiscard]] std::shared_ptr<const Composed> latest() noexcept { return done_.latest(); }
 
   private:
@@ -68,7 +68,7 @@ class Composer final : private jobs::IoWork {
     jobs::Mailbox<std::shared_ptr<const Composed>> done_;
     jobs::Mailbox<std::shared_ptr<const TurnedPots>> turned_;
     std::atomic<bool> held_{false};
-    // Made and used by the composer's thread alone.
+    // Created and used only by the composer's thread.
     std::unique_ptr<ui::Painter> painter_;
     std::unique_ptr<PaintingStore> store_;
     std::shared_ptr<const View> shown_;
@@ -79,8 +79,8 @@ class Composer final : private jobs::IoWork {
     jobs::IoThread thread_;
 };
 
-// The families that the design asks for and this machine lacks, as one line for the log; empty: none. Costs
-// a font map: before the frame begins.
+// The design's font families that this machine lacks, as one line for the log, or empty. Creates a font map:
+// call it before the first frame.
 [[nodiscard]] std::string missing_fonts();
 
 }  // namespace onggi::screens

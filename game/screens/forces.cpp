@@ -12,9 +12,9 @@
 namespace onggi::screens {
 namespace {
 
-// A frame holds a whole number of ticks: over a single one the rate would tremble.
+// A frame has a whole number of ticks, so the rate over a single frame would fluctuate.
 constexpr double kRateOverS = 0.25;
-// A hand without a device that holds it back may press into the clay with tens of newtons.
+// Without a force device a hand may press into the clay with tens of newtons.
 constexpr std::array kSteps{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
 
 using ui::Colour;
@@ -24,7 +24,8 @@ using ui::Rect;
 constexpr float kShaftU = 6.0F;
 constexpr float kHeadU = 24.0F;
 constexpr float kCasingU = 3.0F;
-constexpr float kLeastSeen = 0.35F;  // of an arrow's length; below it stands the sign for into or out of
+constexpr float kLeastSeen =
+    0.35F;  // visible fraction of an arrow's length below which the sign for into or out of is drawn
 constexpr float kSignU = 13.0F;
 
 Colour colour_of(Force force) {
@@ -90,8 +91,8 @@ struct Named {
     vec2 tip;
 };
 
-// In a column beside the touch, on the side away from the pot's middle, each led to from its arrow's tip: at
-// the tips themselves names would lie over one another's arrows.
+// Draws the names in a column beside the touch, away from the pot's middle, with a leader from each arrow's
+// tip: at the tips, names would cover other arrows.
 void draw_names(const std::vector<Named>& named, const ForceParts& parts, const ForcePainter& painter) {
     if (named.empty()) return;
     const float u = painter.px_per_u;
@@ -124,7 +125,7 @@ void draw_names(const std::vector<Named>& named, const ForceParts& parts, const 
     }
 }
 
-// The panel of forces: what it is composed of once, and what in it changes from frame to frame.
+// The panel of forces: its composed part, and the part that changes with each frame.
 
 constexpr std::array kNames{"force.stiffness", "force.viscosity", "force.friction", "force.sum"};
 constexpr float kRow = 38.0F;
@@ -155,7 +156,7 @@ Places places_on(const Page& page) {
                 {plot_x, plot_y + 114.0F, half, 38.0F}};
     }
     const float width = page.is_square() ? 308.0F : 330.0F;
-    // Larger text lifts the ledge, and what stands on it is not to be covered.
+    // Larger text raises the ledge, whose controls must not be covered.
     constexpr float kTop = 124.0F;
     constexpr float kRows = 2.0F * kAir + 6.0F * kRow + 20.0F;
     const float ledge = ledge_y(page.shape(), page.height(), page.view().state.comfort);
@@ -167,7 +168,7 @@ Places places_on(const Page& page) {
     return {panel, forces, plot, plot.moved({0.0F, plot_height + kRow + 12.0F})};
 }
 
-// Name, number, unit in one line; gives the place of the number. Never mirrored inside: the panel is.
+// Adds name, number and unit in one line; returns the number's place. Only the panel as a whole is mirrored.
 vec2 line(Page& page, const Rect& rect, const std::string& name, const std::string& unit, float unit_width,
           float number_width, float name_x) {
     const bool rtl = page.right_to_left();
@@ -182,7 +183,7 @@ vec2 line(Page& page, const Rect& rect, const std::string& name, const std::stri
     return {right, rect.y + 16.0F};
 }
 
-// An arrow as it is drawn over the clay, so that its form is known again.
+// The legend: an arrow as drawn over the clay.
 ui::Sketch key_of(std::size_t force) {
     ui::Sketch sketch;
     constexpr std::array kColours{design::kStiffness, design::kViscosity, design::kFriction, design::kNight};
@@ -229,7 +230,7 @@ void add_panel(Page& page, ForceParts& parts) {
             ui::Box{{0.0F, 0.0F, plot.width, plot.height}, 4.0F, ui::Fill::flat(ui::hex(0x000000, 0.4F))});
         page.sprite(plot, std::move(frame));
     }
-    // The widest that the numbers become, in the room that line() leaves them.
+    // The widest numbers in the room that line() leaves for them.
     const auto loose = [&](const std::string& number, vec2 right_middle, float room) {
         float wide = 0.0F;
         for (const char letter : number)
@@ -264,7 +265,7 @@ void draw_number(const std::string& number, vec2 right_middle, const ForceParts&
     }
 }
 
-// The course of one value from the left edge, as old as the window, to the right one, now.
+// Plots one value from the start of the window at the left edge to now at the right.
 template <typename ValueOf>
 void draw_plot(const ForceTrace& trace, const Rect& plot_u, double full, const ui::Colour& colour,
                const ForcePainter& painter, const ValueOf& value_of) {
@@ -374,7 +375,7 @@ void draw_touches(const ForceFrame& frame, const ForceParts& parts, const ForceP
     for (std::size_t i = 0; i < frame.touches.size(); ++i) {
         const ForceTouch& touch = frame.touches[i];
         draw_rings(painter.list, touch, u);
-        for (std::size_t k = kForceCount; k-- > 0;) {  // the sum lies lowest
+        for (std::size_t k = kForceCount; k-- > 0;) {  // the sum is drawn first, below the others
             const auto force = static_cast<Force>(k);
             const ForceArrow& arrow = touch.arrows[k];
             if (!arrow.shown || (force == Force::kTotal && !frame.with_sum)) continue;
@@ -383,7 +384,7 @@ void draw_touches(const ForceFrame& frame, const ForceParts& parts, const ForceP
             const vec2 along = length > 0.5F ? way / length : vec2(0.0F, -1.0F);
             vec2 tip = arrow.to_px;
             if (arrow.seen < kLeastSeen) {
-                // Beside the touch, where the other arrows begin, it would be lost.
+                // At the touch itself, where the other arrows begin, it would not be visible.
                 tip = arrow.from_px + std::max(length, 2.6F * kSignU * u) * along;
                 draw_sign(painter.list, force, tip, arrow.towards, u);
                 tip += kSignU * u * along;
@@ -420,7 +421,7 @@ void add_forces(Page& page) {
         name.colour = kColours[force];
         parts->names[force] = page.loose_words(name, 0.0F, true);
     }
-    // On a tall screen a warning, or that the hand control is gone, stands where the panel would.
+    // On a tall screen a warning or the notice of a lost device takes the panel's place.
     const kiosk::ScreenState& state = page.view().state;
     const bool has_room = page.shape() != Shape::kTall || (state.throwing.warning == kiosk::Warning::kNone &&
                                                            !state.device_lost && !state.force_rests);

@@ -9,7 +9,7 @@ namespace onggi::screens {
 namespace {
 
 constexpr double kChangeS = 0.24;
-constexpr double kAttractChangeS = 0.6;  // from the throwing to a museum's pot and back, and to the night
+constexpr double kAttractChangeS = 0.6;  // between the throwing, a museum's pot and the night
 constexpr double kChangeStillS = 0.12;
 constexpr float kRiseU = 12.0F;
 constexpr double kCueInS = 0.2;
@@ -28,7 +28,7 @@ bool is_other_screen(const Composed& one, const Composed& other) {
            one.view->closed != other.view->closed || a.firing != b.firing;
 }
 
-// How long the one goes over into the other.
+// The duration of the transition.
 double change_s(const Composed& before, const Composed& now) {
     if (is_still(now)) return kChangeStillS;
     const auto is_shown_by_itself = [](const Composed& one) {
@@ -45,8 +45,8 @@ bool are_alike(const Item& a, const Item& b) {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-// Drops from the partners of some items those that lie over an item without one: it would come to lie over
-// them. True if there were any.
+// Removes the partners of items that lie over an item without one, which would be drawn over them. Returns
+// true if there were any.
 bool drop_covered(const std::vector<Item>& items, std::vector<std::size_t>& partner,
                   std::vector<std::size_t>& partner_of_other) {
     bool dropped = false;
@@ -65,7 +65,7 @@ bool drop_covered(const std::vector<Item>& items, std::vector<std::size_t>& part
 
 }  // namespace
 
-// A screen of another size is painted anew, and may need more room or less.
+// A screen of another size is repainted and needs another atlas size.
 void Stage::fit_atlas() {
     const ui::Rect picture = now_->composition.bounds.scaled(now_->composition.px_per_u);
     const int side_px = ui::Atlas::side_px_for(static_cast<int>(picture.width + 0.5F),
@@ -83,7 +83,7 @@ void Stage::take(std::shared_ptr<const Composed> composed, double now_s) {
     }
     now_ = std::move(composed);
     find_alike();
-    // Pots of screens that are gone.
+    // Drops the pots of former screens.
     if (turning_.size() > 16) turning_.clear();
 }
 
@@ -126,7 +126,7 @@ int Stage::target_at(vec2 px) const {
     return -1;
 }
 
-// Everything a composition shows has its place in the atlas; false when making room moved something out.
+// Places all pictures of a composition in the atlas; returns false if making room removed another one.
 bool Stage::all_placed(const Composed& composed) {
     const std::uint64_t generation = atlas_.generation();
     for (const Item& item : composed.composition.items) {
@@ -176,7 +176,7 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     const bool has_changed = before_ != nullptr && along >= 1.0;
     if (has_changed) before_.reset();
     if (has_changed) atlas_.begin_asking();
-    // Twice, because taking a painting in may have emptied the half in which an earlier one lay.
+    // Repeats, because adding a painting may have cleared the half of the atlas with an earlier one.
     for (int look = 0; look < 3; ++look) {
         const bool kept_before = !before_ || all_placed(*before_);
         if (all_placed(*now_) && kept_before) break;
@@ -191,7 +191,7 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
         const bool to_wall = now_->composition.covers;
         covers_ = from_wall && to_wall;
         scene_rests_ = from_wall != to_wall;
-        // Nothing has faded yet: as it was before, and time to make the scene that comes.
+        // The fade has not begun: shows the old screen while the scene is prepared.
         const bool still_covers = from_wall && !to_wall && fraction <= 0.0F;
         if (still_covers) {
             covers_ = true;
@@ -204,12 +204,12 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     return list_;
 }
 
-// Both compositions, the one on its way in and the other on its way out.
+// Adds both compositions, one fading in and one fading out.
 void Stage::add_changing(const StageFrame& frame, float fraction) {
     const float rise = is_still(*now_) ? 0.0F : kRiseU * (1.0F - fraction);
     const bool from_wall = before_->composition.covers;
     const bool to_wall = now_->composition.covers;
-    // A wall is the first item. Another wall, or one where there was none, comes over what was there.
+    // A wall is the first item. A different or new wall fades in over the previous screen.
     const bool is_other_wall = to_wall && (alike_now_.empty() || alike_now_.front() == 0);
     add(*now_, frame, {.part = Part::kAlike});
     if (is_other_wall) {
@@ -274,7 +274,7 @@ void Stage::follow_cue(const StageFrame& frame, double step_s) {
     cue_alpha_ = is_still(*now_) ? (is_wanted ? 1.0 : 0.0) : std::clamp(cue_alpha_ + change, 0.0, 1.0);
 }
 
-// Beside the belt, away from the hand; where there is no room, under it.
+// Beside the belt, away from the hand, or under it if there is no room.
 void Stage::add_guard_words(const Composition& composition) {
     const Item& words = composition.guard_words[static_cast<std::size_t>(cue_.guard)];
     if (cue_.guard == CueGuard::kNone || !words.painting || cue_.belt.lower.empty()) return;

@@ -1,5 +1,5 @@
-// Puts compositions on the screen frame by frame: cross-fades, tokens that sink, cues that come and go; and
-// says what lies under a finger. Main thread. Times are seconds of the caller's clock.
+// Draws compositions frame by frame: cross-fades, pressed tokens, fading cues; and finds the target under a
+// finger. Main thread. Times are seconds of the caller's clock.
 #pragma once
 
 #include <memory>
@@ -19,37 +19,37 @@ namespace onggi::screens {
 
 struct StageFrame {
     double now_s = 0.0;
-    int pressed = -1;            // target that a finger holds down
-    const Band* band = nullptr;  // a warning's place on the pot; it hides a cue
+    int pressed = -1;            // target pressed by a finger
+    const Band* band = nullptr;  // a warning's band on the pot; hides the cue
     const Cue* cue = nullptr;
     const ForceFrame* forces = nullptr;
 };
 
 class Stage {
   public:
-    // Takes a newer composition, if it is newer.
+    // Takes the composition if it is newer than the last.
     void take(std::shared_ptr<const Composed> composed, double now_s);
-    // The pots that turn, as they stand now; what is not on the stage is left out.
+    // Sets the present pictures of the turning pots; ignores those not on the stage.
     void turn(std::shared_ptr<const TurnedPots> pots) { turned_ = std::move(pots); }
-    // All of this frame. Good until the next call.
+    // The complete draw list of this frame. Valid until the next call.
     const ui::DrawList& draw(const StageFrame& frame);
 
-    // Nothing of the scene is seen this frame.
+    // Whether the scene is completely hidden in this frame.
     [[nodiscard]] bool covers() const { return covers_; }
-    // A screen that covers all is on its way in or out: whoever draws the scene may let it stand still.
+    // Whether a screen that hides the scene is fading in or out: the scene need not be redrawn.
     [[nodiscard]] bool scene_rests() const { return scene_rests_; }
-    // What the last draw() needs in the texture; to be handed on with it.
+    // The texture uploads of the last draw(), to be passed on with its list.
     [[nodiscard]] std::span<const ui::Atlas::Upload> uploads() const { return uploads_; }
     [[nodiscard]] int atlas_side_px() const { return atlas_.side_px(); }
 
     [[nodiscard]] const Composed* shown() const { return now_.get(); }
-    // The target under a pixel; -1: none.
+    // The target under a pixel, or -1.
     [[nodiscard]] int target_at(vec2 px) const;
     [[nodiscard]] bool changes(double now_s) const;
 
   private:
     void fit_atlas();
-    // How much of a composition is seen, how far it still has to rise, and which part of it is drawn.
+    // The opacity of a composition, its remaining rise, and the part to draw.
     enum class Part { kAll, kAlike, kOthers };
     struct Fade {
         float alpha = 1.0F;
@@ -59,7 +59,7 @@ class Stage {
     void add(const Composed& composed, const StageFrame& frame, const Fade& fade);
     void add_changing(const StageFrame& frame, float fraction);
     void find_alike();
-    // The cue comes, stays or goes.
+    // Fades the cue in or out.
     void follow_cue(const StageFrame& frame, double step_s);
     void add_guard_words(const Composition& composition);
     [[nodiscard]] std::optional<ui::Rect> place_of(const Item& item);
@@ -68,7 +68,8 @@ class Stage {
     ui::Atlas atlas_{ui::Atlas::side_px_for(0, 0)};
     std::vector<ui::Atlas::Upload> uploads_;
     ui::DrawList list_;
-    // Of a pot that turns: two places take turns, so that no picture is changed that a frame is drawn from.
+    // A turning pot alternates between two places in the atlas, so that a picture in use by a frame is never
+    // overwritten.
     struct Turning {
         std::shared_ptr<const ui::Painting> shown;
         bool second = false;
@@ -77,13 +78,14 @@ class Stage {
     std::shared_ptr<const TurnedPots> turned_;
     std::shared_ptr<const Composed> now_;
     std::shared_ptr<const Composed> before_;  // fading out
-    // Items that both show alike at the same place, which need not fade; one entry each.
+    // One entry per item: whether both compositions show it alike at the same place, so that it need not
+    // fade.
     std::vector<char> alike_before_;
     std::vector<char> alike_now_;
     double since_s_ = 0.0;
     bool covers_ = false;
     bool scene_rests_ = false;
-    Cue cue_;  // as it was last seen
+    Cue cue_;  // the last one shown
     double cue_alpha_ = 0.0;
     double last_s_ = 0.0;
 };

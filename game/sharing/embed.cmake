@@ -1,6 +1,6 @@
-# Puts files into the program as text: cmake -D INTO=... -D FOLDER=... -D NAMESPACE=... -D NAMES="kCss=page.css;..."
-# -D NUMBERS=... -P embed.cmake. A literal may hold 65536 bytes at least. "@kName@" in a file becomes the number that the
-# header NUMBERS says of it: "kName = 0.8F;".
+# Puts files into the program as text: cmake -D INTO=... -D FOLDER=... -D NAMESPACE=... -D
+# NAMES="kCss=page.css;..." -D NUMBERS=... -P embed.cmake. A literal may hold at least 65536 bytes. "@kName@"
+# in a file is replaced by the number in the header NUMBERS: "kName = 0.8F;".
 file(READ ${NUMBERS} numbers)
 set(text "// Written while building from the files themselves. Any thread; constant.\n#pragma once\n\n#include <string_view>\n\nnamespace ${NAMESPACE} {\n")
 foreach(pair IN LISTS NAMES)

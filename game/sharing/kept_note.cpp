@@ -26,9 +26,14 @@ std::optional<std::int64_t> seconds(std::optional<std::string_view> text) {
 
 bool is_over(const KeptNote& note, std::int64_t now_s) {
     constexpr std::int64_t kLongestStayS = (std::int64_t{168} + 1) * 3600;
-    constexpr std::int64_t kClockIsSetS = 1'767'225'600;  // 2026-01-01: an earlier clock is not set yet
+    if (redated(note, now_s)) return false;
     if (note.expires_s <= now_s) return true;
     return now_s >= kClockIsSetS && note.expires_s - now_s > kLongestStayS;
+}
+
+std::optional<KeptNote> redated(const KeptNote& note, std::int64_t now_s) {
+    if (note.made_s >= kClockIsSetS || now_s < kClockIsSetS) return std::nullopt;
+    return KeptNote{now_s, now_s + (note.expires_s - note.made_s), note.gallery_name};
 }
 
 std::string written(const KeptNote& note) {

@@ -17,10 +17,18 @@ struct KeptNote {
 
 constexpr std::size_t kMostNoteBytes = 512;
 
+// A machine without a battery starts in the past, until the network sets its clock. Before 2026 it is not set
+// yet.
+constexpr std::int64_t kClockIsSetS = 1'767'225'600;
+
 // Whether the pot has expired. Also true for a pot shared while the clock was far ahead: no pot stays longer
-// than the largest setting (a week) plus an hour. This second rule waits until the machine's clock is set:
-// without a battery it starts in the past until the network sets it.
+// than the largest setting (a week) plus an hour. This second rule waits until the machine's clock is set.
+// False for a pot that was shared before the clock was set, until redated() gives it the time that it was
+// promised.
 [[nodiscard]] bool is_over(const KeptNote& note, std::int64_t now_s);
+// The note of a pot that was shared before the clock was set, with the same stay from now on. Empty for every
+// other note.
+[[nodiscard]] std::optional<KeptNote> redated(const KeptNote& note, std::int64_t now_s);
 
 [[nodiscard]] std::string written(const KeptNote& note);
 // Empty for any text that written() does not return.

@@ -84,8 +84,8 @@ Result<Outbox> Outbox::open(OutboxOptions options) {
 
 Result<ShareCode> Outbox::put(const SharedPot& pot, const ShareTime& time) {
     if (time.expires_s <= time.now_s)
-        return bad_input("the shared pot: expected a time to come for it to go, found one that is over");
-    if (auto expired = expire(time.now_s); !expired) return expired.error();
+        return bad_input("the shared pot: expected an expiry time in the future, found one in the past");
+    static_cast<void>(expire(time.now_s));  // one that cannot be removed is no reason to refuse another
     for (int tries = 0; tries < 8; ++tries) {
         const auto code = ShareCode::by_chance();
         if (!code) return code.error();
@@ -97,13 +97,13 @@ Result<ShareCode> Outbox::put(const SharedPot& pot, const ShareTime& time) {
         if (!folder) return folder.error();
         if (auto written = files->write(folder->inside()); !written) return written.error();
         if (auto done = folder->commit(); !done) return done.error();
-        if (auto room = make_room(*code); !room) {
+        if (auto room = make_room(*code, time.now_s); !room) {
             static_cast<void>(withdraw(*code));
             return room.error();
         }
         return *code;
     }
-    return failed("the shared pot: every code that came up was taken");
+    return failed("the shared pot: found no unused code");
 }
 
 Result<bool> Outbox::renew(const ShareCode& code, const SharedPot& pot, const ShareTime& time) {
@@ -112,26 +112,33 @@ Result<bool> Outbox::renew(const ShareCode& code, const SharedPot& pot, const Sh
     const auto files = filled(pot, options_, code, time);
     if (!files) return files.error();
     if (auto written = files->write(place_of(code)); !written) return written.error();
-    if (auto room = make_room(code); !room) return room.error();
+    if (auto room = make_room(code, time.now_s); !room) return room.error();
     return true;
 }
 
-// Called after the new pot is on disk: a failed put() removes no other pot.
-Result<void> Outbox::make_room(const ShareCode& newcomer) {
+// Called after the new pot is on disk: a failed put() removes no other pot. Pots dated in the future were
+// shared before the clock was set back, so they are older than the others.
+Result<void> Outbox::make_room(const ShareCode& newcomer, std::int64_t now_s) {
     auto all = list();
     if (!all) return all.error();
+    std::stable_partition(all->begin(), all->end(),
+                          [&](const OutboxEntry& entry) { return entry.made_s > now_s; });
     std::uint64_t bytes = 0;
     for (const OutboxEntry& entry : *all)
         bytes += entry.bytes;
     std::size_t pots = all->size();
+    Result<void> trouble;
     for (const OutboxEntry& entry : *all) {
-        if (pots <= options_.most_pots && bytes <= options_.most_bytes) break;
+        if (pots <= options_.most_pots && bytes <= options_.most_bytes) return {};
         if (entry.code == newcomer) continue;
-        if (auto gone = withdraw(entry.code); !gone) return gone.error();
+        if (auto gone = withdraw(entry.code); !gone) {
+            trouble = gone.error();
+            continue;
+        }
         bytes -= entry.bytes;
         --pots;
     }
-    return {};
+    return pots <= options_.most_pots && bytes <= options_.most_bytes ? Result<void>{} : trouble;
 }
 
 Result<bool> Outbox::withdraw(const ShareCode& code) {
@@ -157,6 +164,7 @@ Result<int> Outbox::expire(std::int64_t now_s) {
     const FolderListing listing = list_folder(options_.folder);
     if (!listing.is_whole()) return system_lacks(listing_trouble(options_.folder, listing));
     int gone = 0;
+    Result<void> trouble;
     for (const fs::path& entry : listing.entries) {
         const auto code = ShareCode::read_exactly(entry.filename().native());
         if (!code) continue;
@@ -164,10 +172,18 @@ Result<int> Outbox::expire(std::int64_t now_s) {
         // A read error of the note is no reason to delete the pot.
         if (!text && text.error().kind != ErrorKind::kBadInput) continue;
         const auto note = text ? read_note(*text) : std::nullopt;
-        if (note && !is_over(*note, now_s)) continue;
-        if (auto taken = files::take_away_folder(entry); !taken) return taken.error();
-        ++gone;
+        if (note && !is_over(*note, now_s)) {
+            const auto later = redated(*note, now_s);
+            const auto noted =
+                later ? files::write_file_atomically(entry / kNoteName, written(*later)) : Result<void>{};
+            if (!noted) trouble = noted;
+        } else if (auto taken = files::take_away_folder(entry); !taken) {
+            trouble = taken;
+        } else {
+            ++gone;
+        }
     }
+    if (!trouble) return trouble.error();
     return gone;
 }
 

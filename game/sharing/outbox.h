@@ -49,10 +49,10 @@ class Outbox {
     // is not writable. Bad input: the path is not a folder.
     [[nodiscard]] static Result<Outbox> open(OutboxOptions options);
 
-    // When it returns, the pot is on disk and survives a power cut. Expired pots are removed first, then the
-    // oldest until the new one fits. Bad input: a file that cannot be read, a picture in an unknown format, a
-    // pot larger than the outbox, an expiry time in the past. System lacks: no space, no permission. After an
-    // error the pot's folder does not exist.
+    // When it returns, the pot is on disk and survives a power cut. Expired pots are removed first where they
+    // can be, then the oldest until the new one fits. Bad input: a file that cannot be read, a picture in an
+    // unknown format, a pot larger than the outbox, an expiry time in the past. System lacks: no space, no
+    // permission. After an error the pot's folder does not exist.
     [[nodiscard]] Result<ShareCode> put(const SharedPot& pot, const ShareTime& time);
     // Rewrites each file of the pot with this code, pages last, to add files that were missing. Returns false
     // if the pot is gone; it stays gone. Errors as put(); existing files stay.
@@ -61,7 +61,9 @@ class Outbox {
     [[nodiscard]] Result<bool> withdraw(const ShareCode& code);
     // Removes the shared pot with that gallery name. Returns true if it was shared.
     [[nodiscard]] Result<bool> withdraw_named(const std::string& gallery_name);
-    // Removes expired pots, and code folders without a note. Returns how many.
+    // Removes expired pots, and code folders without a note. Returns how many. Corrects the dates of pots
+    // that were shared before the clock was set. If one cannot be removed, removes the others and returns the
+    // error (system lacks).
     [[nodiscard]] Result<int> expire(std::int64_t now_s);
     // Oldest first.
     [[nodiscard]] Result<std::vector<OutboxEntry>> list() const;
@@ -70,7 +72,7 @@ class Outbox {
 
   private:
     explicit Outbox(OutboxOptions options) : options_(std::move(options)) {}
-    Result<void> make_room(const ShareCode& newcomer);
+    Result<void> make_room(const ShareCode& newcomer, std::int64_t now_s);
     [[nodiscard]] std::filesystem::path place_of(const ShareCode& code) const {
         return options_.folder / code.text();
     }

@@ -27,7 +27,7 @@ Result<ShareCode> ShareCode::by_chance() {
     while (have < bytes.size()) {
         const ssize_t got = ::getrandom(bytes.data() + have, bytes.size() - have, 0);
         if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return system_lacks("the kernel gives no random numbers for a code");
+        if (got <= 0) return system_lacks("the kernel returned no random numbers for a code");
         have += static_cast<std::size_t>(got);
     }
     ShareCode code;

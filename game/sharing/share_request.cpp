@@ -88,12 +88,42 @@ ShareAnswer moved_to(std::string location) {
     return {.kind = ShareAnswer::Kind::kMoved, .location = std::move(location)};
 }
 
+// The path of a target in absolute form, which a server has to take (RFC 9112, 3.2.2): whatever host it
+// names.
+std::string_view without_authority(std::string_view target) {
+    for (const std::string_view scheme : {"http://", "https://"}) {
+        if (!same_word(target.substr(0, scheme.size()), scheme)) continue;
+        const std::size_t end = target.find_first_of("/?", scheme.size());
+        return end == std::string_view::npos ? "/"
+               : target[end] == '/'          ? target.substr(end)
+                                             : std::string_view();
+    }
+    return target;
+}
+
 // "/": the page that asks for a code, or a redirect for a typed code.
 ShareAnswer at_the_door(std::string_view query) {
     if (query.empty()) return {.kind = ShareAnswer::Kind::kAskForCode};
     const auto code = typed_code(query);
     if (!code) return {.kind = ShareAnswer::Kind::kNotFound};
     return moved_to(code->text() + "/");
+}
+
+// Without what a messenger took for a part of the link: a bracket, a full stop, a space, one more slash.
+std::string_view without_tail(std::string_view path) {
+    constexpr std::string_view kSigns = ")],.;:!?'\"";
+    constexpr std::string_view kSpace = "%20";
+    for (;;) {
+        if (path.ends_with("..")) return path;  // which leads upwards
+        if (path.ends_with(kSpace)) {
+            path.remove_suffix(kSpace.size());
+        } else if (path.ends_with("//") ||
+                   (!path.empty() && kSigns.find(path.back()) != std::string_view::npos)) {
+            path.remove_suffix(1);
+        } else {
+            return path;
+        }
+    }
 }
 
 // "/CODE" and "/CODE/FILE".
@@ -139,7 +169,7 @@ std::optional<int> detail::weight_of(std::string_view header, std::string_view w
 ShareAnswer answer_to(const ShareRequest& request) {
     using Kind = ShareAnswer::Kind;
     if (request.method != "GET" && request.method != "HEAD") return {.kind = Kind::kNotAllowed};
-    std::string_view path = request.target;
+    std::string_view path = without_authority(request.target);
     const auto is_plain = [](char letter) { return letter > ' ' && letter < '\x7f'; };
     if (!path.starts_with('/') || path.size() > kMostTarget ||
         !std::all_of(path.begin(), path.end(), is_plain))
@@ -149,6 +179,14 @@ ShareAnswer answer_to(const ShareRequest& request) {
         query_at == std::string_view::npos ? std::string_view() : path.substr(query_at + 1);
     path = path.substr(1, query_at == std::string_view::npos ? query_at : query_at - 1);
     if (path.empty()) return at_the_door(query);
+    if (const std::string_view meant = without_tail(path); meant.size() < path.size()) {
+        const auto code = ShareCode::read(meant.ends_with('/') ? meant.substr(0, meant.size() - 1) : meant);
+        if (!code && in_a_folder(meant, request).kind != Kind::kFile) return {.kind = Kind::kNotFound};
+        std::string up;
+        for (auto slashes = std::count(path.begin(), path.end(), '/'); slashes > 0; --slashes)
+            up += "../";
+        return moved_to(up + (code ? code->text() + "/" : std::string(meant)));
+    }
     if (path == "code.js") return {.kind = Kind::kScript};
     if (path == "robots.txt") return {.kind = Kind::kRobots};
     if (path == "favicon.ico") return {.kind = Kind::kNothing};

@@ -72,7 +72,7 @@ Result<void> LiveScreen::open_device() {
         auto unseen = vk::choose_device(*instance_, VK_NULL_HANDLE, request, preference());
         if (!unseen) return unseen.error();
         remarks_.push_back(
-            fmt::format("{}; drawing unseen on {}", chosen.error().message, unseen->description.name));
+            fmt::format("{}; drawing offscreen on {}", chosen.error().message, unseen->description.name));
         chosen = std::move(unseen);
     }
     if (!chosen) return chosen.error();
@@ -210,7 +210,7 @@ Result<bool> LiveScreen::mend(const Error& error, const render::Scene& scene,
             continue;
         }
         ++mended_;
-        remarks_.push_back(fmt::format("{}; made anew on {}, quality: {}", remark,
+        remarks_.push_back(fmt::format("{}; recreated on {}, quality: {}", remark,
                                        device_->description().name, render::quality_name(ladder_.step())));
         return drawn;
     }
@@ -238,7 +238,7 @@ Result<void> LiveScreen::follow_edited_shaders() {
     if (!changed || !*changed) return {};
     if (auto waited = target().wait(); !waited) return waited;
     device_->replace_spirv(shaders_.replacements());
-    remarks_.emplace_back("shaders: compiled anew");
+    remarks_.emplace_back("shaders: recompiled");
     return make_renderer();
 }
 #endif
@@ -317,7 +317,7 @@ void LiveScreen::resize(window::Size size) {
 }
 
 Result<std::vector<std::uint8_t>> LiveScreen::read_back() {
-    if (!offscreen_) return failed("live view: expected an unseen target to read back, found a window");
+    if (!offscreen_) return failed("live view: expected an offscreen target to read back, found a window");
     return offscreen_->read_back();
 }
 

@@ -57,6 +57,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
                                        : open_scene(options.workshop, width(), height());
     scene = std::move(opened.scene);
     workshop_lack = std::move(opened.lack);
+    if (workshop_lack.empty() && !opened.note.empty()) workshop_lack = "room: not drawn: " + opened.note;
     backgrounds_for = {width(), height()};
 
     // The search for a device ran code of every driver; release its pages.

@@ -20,10 +20,17 @@ constexpr std::size_t kMostBytes = std::size_t{128} << 20;
 // A larger part is a wall or a table: drawn from both sides, and too large for the single shadow map.
 constexpr float kThingMm = 1500.0F;
 
-bool is_wheel(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return name.starts_with("wheel");
+// "wheel", "Wheel.001", "WheelHead" and "wheel_head", but no "wheelchair": the word and what does not go on
+// with it.
+bool is_wheel(std::string_view name) {
+    constexpr std::string_view kWord = "wheel";
+    const bool has_word = name.size() >= kWord.size() &&
+                          std::equal(kWord.begin(), kWord.end(), name.begin(), [](char a, char b) {
+                              return a == std::tolower(static_cast<unsigned char>(b));
+                          });
+    if (!has_word) return false;
+    const std::string_view rest = name.substr(kWord.size());
+    return rest.empty() || rest == "head" || std::islower(static_cast<unsigned char>(rest.front())) == 0;
 }
 
 struct Extent {
@@ -70,7 +77,7 @@ Result<RoomModel> load_room_model(const std::filesystem::path& file) {
     const std::string name = shown_path(file.native());
     const auto model = asset::decode_glb(std::as_bytes(std::span(*bytes)), name);
     if (!model) return model.error();
-    RoomModel room;
+    RoomModel room{.left_out = model->left_out};
     Extent whole;
     for (const asset::GltfPart& part : model->parts) {
         auto mesh = std::make_shared<render::Mesh>();
@@ -86,7 +93,7 @@ Result<RoomModel> load_room_model(const std::filesystem::path& file) {
         mesh->indices = part.mesh.indices;
         const bool is_thing = extent.largest_side() < kThingMm;
         if (!is_thing) add_backs(*mesh);
-        room.has_wheel = room.has_wheel || is_wheel(part.node);
+        room.has_wheel = room.has_wheel || is_wheel(part.node) || is_wheel(part.mesh_name);
         room.parts.push_back({.mesh = std::move(mesh),
                               .material = material_of(*model, part.material),
                               .casts_shadow = is_thing});

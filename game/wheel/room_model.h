@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -11,8 +12,9 @@
 namespace onggi::wheel {
 
 struct RoomModel {
-    std::vector<StillPart> parts;
-    bool has_wheel = false;  // a node's name begins with "wheel"; otherwise the scene adds its own wheel
+    std::vector<StillPart> parts = {};
+    bool has_wheel = false;  // a node or mesh is named "wheel"; otherwise the scene adds its own wheel
+    std::vector<std::string> left_out = {};  // what of the file is not drawn
 };
 
 // Metres, +Y up, the origin in the middle of the wheel head's top, as assets/workshop/README.md specifies.

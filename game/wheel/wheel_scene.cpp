@@ -1,5 +1,8 @@
 #include "game/wheel/wheel_scene.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <map>
 #include <utility>
 
@@ -15,8 +18,16 @@ bool is_model(const std::filesystem::path& room) {
     return room.extension() == ".glb";
 }
 
-Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room, int width_px,
-                                              int height_px) {
+// `note`: what of the room's model is not drawn.
+Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room, int width_px, int height_px,
+                                              std::string& note) {
+    const auto with_model = [&](const std::shared_ptr<const Workshop>& workshop,
+                                const std::filesystem::path& file) -> Result<std::unique_ptr<WheelScene>> {
+        auto model = load_room_model(file);
+        if (!model) return model.error();
+        note = fmt::format("{}", fmt::join(model->left_out, ", "));
+        return std::make_unique<WheelScene>(workshop, std::move(*model));
+    };
     std::filesystem::path folder = room;
     if (room.empty() || is_model(room)) {  // a model has no light and cameras: use ours
         auto found = files::find_asset("workshop");
@@ -27,19 +38,12 @@ Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room,
     if (!workshop) return workshop.error();
     auto shared = std::make_shared<const Workshop>(std::move(*workshop));
     auto scene = std::make_unique<WheelScene>(shared);
-    if (is_model(room)) {
-        auto model = load_room_model(room);
-        if (!model) return model.error();
-        return std::make_unique<WheelScene>(shared, std::move(*model));
-    }
+    if (is_model(room)) return with_model(shared, room);
     // A room that has a model but no photographs yet.
     std::error_code error;
     const bool has_backgrounds = std::filesystem::exists(folder / "plates", error);
-    if (!has_backgrounds && std::filesystem::exists(folder / "room.glb", error)) {
-        auto model = load_room_model(folder / "room.glb");
-        if (!model) return model.error();
-        return std::make_unique<WheelScene>(shared, std::move(*model));
-    }
+    if (!has_backgrounds && std::filesystem::exists(folder / "room.glb", error))
+        return with_model(shared, folder / "room.glb");
     for (const BackgroundCamera* camera : scene->missing_backgrounds(width_px, height_px)) {
         auto background = load_background(*shared, *camera);
         if (!background) return background.error();
@@ -200,10 +204,10 @@ std::optional<dvec3> WheelScene::tool_target_mm(double x_px, double y_px, int wi
 
 OpenedScene open_scene(const std::filesystem::path& folder, int width_px, int height_px) {
     OpenedScene opened;
-    auto scene = furnished(folder, width_px, height_px);
+    auto scene = furnished(folder, width_px, height_px, opened.note);
     if (!scene && !folder.empty()) {
         opened.lack = scene.error().message + "; the program's own room is shown";
-        scene = furnished({}, width_px, height_px);
+        scene = furnished({}, width_px, height_px, opened.note);
     }
     if (!scene && opened.lack.empty()) opened.lack = scene.error().message;
     opened.scene = scene ? std::move(*scene) : std::make_unique<WheelScene>();

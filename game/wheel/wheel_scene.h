@@ -81,7 +81,8 @@ class WheelScene {
 // while it reads.
 struct OpenedScene {
     std::unique_ptr<WheelScene> scene;  // never null
-    std::string lack;  // why it shows another room, or balls for tools; empty without a fault
+    std::string lack = {};  // why it shows another room, or balls for tools; empty without a fault
+    std::string note = {};  // what of the room's model is not drawn; empty: all is
 };
 
 // `folder`: of a photographed room, or of a room that has only a model (room.glb), or a GLB file itself,

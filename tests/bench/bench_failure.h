@@ -1,5 +1,5 @@
-// How a benchmark says that what it measured is wrong: it is skipped, and the whole program exits with 1.
-// (Google Benchmark alone would print the error and exit with 0.) Main thread.
+// Reports a wrong result of a benchmark: the benchmark is skipped, and the program exits with 1. (Google
+// Benchmark alone would print the error and exit with 0.) Main thread.
 #pragma once
 
 #include <benchmark/benchmark.h>

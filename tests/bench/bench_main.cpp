@@ -1,7 +1,6 @@
 // onggi_bench: Google Benchmark's command line, with two differences. Names are literal
-// ("paper_tick/2000/5"): the library appends "/manual_time" where a benchmark keeps its own clock, which is
-// left off in what is printed and matched. And a benchmark that finds its result wrong makes the program exit
-// with 1.
+// ("paper_tick/2000/5"): the library appends "/manual_time" where a benchmark keeps its own clock, which this
+// program omits when printing and matching. A benchmark with a wrong result makes the program exit with 1.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -22,7 +21,7 @@ constexpr std::string_view kSuffix = "/manual_time";
 
 bool failed = false;
 
-// A reporter of the library, given names without the suffix.
+// Wraps a reporter of the library; passes it names without the suffix.
 template <typename Reporter>
 class LiteralNames : public Reporter {
   public:
@@ -121,7 +120,7 @@ void fail(benchmark::State& state, const char* message) {
 }  // namespace onggi::bench
 
 int main(int argc, char** argv) {
-    // Kept before the library takes its own out of argv.
+    // Copied before the library removes its own options from argv.
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -1,5 +1,5 @@
-// stroke_point/N: what a point of a stroke so many mm wide costs the frame in which the finger gets there:
-// laid, and dressed for the picture. stroke_undo: the last of many strokes taken back.
+// stroke_point/N: the cost of adding a point to a stroke N mm wide within a frame, including the update of
+// the picture. stroke_undo: undoing the last of many strokes.
 #include <benchmark/benchmark.h>
 
 #include "game/finish/glaze.h"

@@ -1,5 +1,5 @@
-// export_glb: what a visitor waits for between "keep it" and a file: the pot that the bundled gesture throws,
-// 2000 elements, thinned, turned into triangles and written as GLB in memory.
+// export_glb: the wait between "keep it" and a file: the pot that the bundled gesture throws, 2000 elements,
+// thinned, turned into triangles and written as GLB in memory.
 #include <benchmark/benchmark.h>
 
 #include "game/exporter/export.h"

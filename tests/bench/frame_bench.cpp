@@ -1,14 +1,14 @@
-// frame/...: one frame of the live picture with everything in it, drawn into memory: all that a frame costs
-// but showing it. Pin it to one core to see what the kiosk has:
-// LP_NUM_THREADS=0 taskset -c 0 onggi_bench --benchmark_filter=frame
+// frame/...: one frame of the live picture with everything in it, drawn into memory: the cost of a frame
+// without presenting it. Pin it to one core for the kiosk's conditions: LP_NUM_THREADS=0 taskset -c 0
+// onggi_bench --benchmark_filter=frame
 //   frame/WxH, frame/WxH/rough      at rest; rough: 150 grooves, of a pixel each at 1280x720
 //   frame/1280x720/view_change, /evening     while another view is made and fades in, while the light changes
 //   frame/WxH/drawn                 while a finger draws on the pot, its new point laid in the same frame
 //   frame/1280x720/trimmed          shavings fly, the rib lies on the bench
-//   frame_by/...                    against what is in the picture, and how fine it is
-//   frame_cost/BACKEND/WxH          what a frame asks of the device, as the processor draws and on a GPU's
-//                                   steps; with a room that was modelled and not photographed, too
-//   frame_parts/1280x720            its parts, by the device's clock and by the host's
+//   frame_by/...                    by the picture's content and quality
+//   frame_cost/BACKEND/WxH          the device's work for a frame, with the CPU backend and on a GPU's
+//   quality steps; also with a modelled instead of a photographed room frame_parts/1280x720            its
+//   parts, by the device's clock and by the host's
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@
 namespace onggi::bench {
 namespace {
 
-// Moves the scene on before each frame; whether the next is one to be counted is known after it is drawn.
+// Advances the scene before each frame; whether a frame counts is known after it is drawn.
 struct Motion {
     std::function<void(FrameCase&, std::int64_t)> before = [](FrameCase&, std::int64_t) {};
     std::function<bool(const FrameCase&)> counts = [](const FrameCase&) { return true; };
@@ -80,7 +80,8 @@ void add(const std::string& name, const FrameCaseDesc& desc, const Motion& motio
         ->Unit(benchmark::kMillisecond);
 }
 
-// There and back, every frame of the change from the first in which the other view is made.
+// Changes the view to and fro; counts every frame of a change, from the first in which the other view is
+// rendered.
 Motion changing_view() {
     return {.before =
                 [](FrameCase& drawn, std::int64_t number) {
@@ -97,7 +98,7 @@ Motion dimming() {
         .counts = [](const FrameCase& drawn) { return drawn.light_changes(); }};
 }
 
-// Each part at its quickest.
+// The least time of each part.
 void frame_parts(benchmark::State& state) {
     auto opened = FrameCase::open({.measures_parts = true});
     if (!opened) return fail(state, opened.error().message.c_str());

@@ -26,7 +26,7 @@ double processor_now_s() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Of the wall at a height: a belly, and throwing rings of 0.3 mm.
+// The wall's outer radius at a height: a belly, and throwing rings of 0.3 mm.
 double outer_at(double y_mm) {
     const double belly = (y_mm - 70.0) / 52.0;
     return 32.0 + 24.0 * std::exp(-belly * belly) +
@@ -87,7 +87,7 @@ Result<void> FrameCase::create() {
     return {};
 }
 
-// As the throwing screen says what to do next: one line, near the top.
+// One line of text near the top, as on the throwing screen.
 void FrameCase::write_a_line() {
     ui::Painter painter;
     const float px_per_u = static_cast<float>(desc_.height) / 720.0F;
@@ -105,7 +105,7 @@ void FrameCase::write_a_line() {
     list_.add_picture(corner, *place, 1.0F);
 }
 
-// It shrinks by a hair each frame and grows back.
+// The pot shrinks slightly each frame and grows back.
 void FrameCase::throw_a_little() {
     const double breath = 0.2 * std::sin(0.1 * static_cast<double>(number_));
     const double groove_rad_per_mm = 2.0 * std::numbers::pi * desc_.grooves / kHeightMm;
@@ -118,7 +118,7 @@ void FrameCase::throw_a_little() {
     ++number_;
 }
 
-// A band that goes round and climbs; whole, the next begins.
+// A band that goes round the pot and climbs; when it is complete the next one begins.
 Result<void> FrameCase::draw_a_little() {
     constexpr int kPointsInAStroke = 600;
     constexpr std::uint16_t kWidth = 2000;  // 20 mm

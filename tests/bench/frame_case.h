@@ -1,6 +1,6 @@
-// The picture that frames are timed with: the photographed workshop, a hollow pot whose outline changes every
-// frame and turns, a hand outside and one inside, their shadows, a line of text, outlines smoothed; drawn
-// into memory at a fixed step of quality. Main thread.
+// The scene for timing frames: the photographed workshop, a hollow pot whose outline changes every frame and
+// turns, a hand outside and one inside, their shadows, a line of text, outlines smoothed; drawn into memory
+// at a fixed step of quality. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -25,19 +25,19 @@ struct FrameCaseDesc {
     int grooves = 0;  // up the pot, 0.25 mm deep; 150 are a pixel each at 1280x720
     bool with_hands = true;
     bool with_text = true;
-    bool is_drawn_on = false;  // by a finger through the wet coat, a point a frame
-    bool is_modelled = false;  // the room, as a museum's own that has no photographs
+    bool is_drawn_on = false;  // by a finger through the wet coat, one point per frame
+    bool is_modelled = false;  // the room is a model without photographs
     bool is_trimmed = false;   // shavings fly and lie about, and the rib is on the bench
     bool measures_parts = false;
     render::QualityStep step = render::QualityStep::kOneCore;
-    std::optional<int> sectors{};  // else what the step gets at this size
+    std::optional<int> sectors{};  // otherwise the quality step's value at this size
     std::optional<int> max_rings{};
 };
 
-// What one frame took.
+// The time of one frame.
 struct FrameTime {
-    double wall_s = 0.0;       // from the scene to a picture that is done
-    double processor_s = 0.0;  // of all threads of the process: less of it depends on who else is at work
+    double wall_s = 0.0;       // from the scene to a finished picture
+    double processor_s = 0.0;  // of all threads of the process: depends less on other processes
 };
 
 class FrameCase {
@@ -47,8 +47,8 @@ class FrameCase {
     FrameCase(const FrameCase&) = delete;
     FrameCase& operator=(const FrameCase&) = delete;
 
-    // Draws the next frame, a sixtieth of a second after the last, and waits for it. Over it lies a line of
-    // text, or what is given.
+    // Draws the next frame, a sixtieth of a second after the last, and waits for it. The overlay is a line of
+    // text, or the given one.
     Result<FrameTime> frame(const render::Overlay* overlay = nullptr);
 
     [[nodiscard]] wheel::WheelScene& scene() { return *opened_.scene; }
@@ -76,7 +76,7 @@ class FrameCase {
     ui::DrawList list_;
     std::vector<ui::Atlas::Upload> uploads_;
     pot::Pot pot_;
-    std::optional<decoration::Canvas> canvas_;  // where it is drawn on
+    std::optional<decoration::Canvas> canvas_;  // if it is drawn on
     look::DressedMarks marks_;
     std::int64_t number_ = 0;
     bool view_changes_ = false;

@@ -1,5 +1,5 @@
-// A gallery of ten thousand pots opens as fast as one of ten, and what has to look at all of them grows no
-// faster than they do. The best of several rounds counts, because a busy machine can only make one slower.
+// A gallery of ten thousand pots opens as fast as one of ten, and operations on all pots grow no faster than
+// their number. The best of several rounds counts, because a busy machine can only make one slower.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How long a finger waits for the picture: from a pointer that has moved to a picture in which the hand has.
+"""Measures the latency from a moved pointer to a picture with the moved hand.
 
     tests/bench/latency.py [--moves N] [--backend gpu|cpu] [--size WxH] [--caged] [PROGRAM]
 
@@ -21,8 +21,8 @@ import time
 import watched_kiosk
 
 FRAME_S = 1.0 / 60.0
-# Of a picture of 1280x720: where somebody begins, throws as they like, and moves a hand; and what of it is looked at, where
-# the arm of that hand comes from: nothing else moves there.
+# In a picture of 1280x720: where a visitor starts, throws freely, and moves a hand; and the part that is
+# compared, where the arm of that hand comes from: nothing else moves there.
 BEGIN = (640, 360)
 FREE = (174, 508)
 ABOVE, BELOW = (900, 250), (900, 330)
@@ -30,7 +30,7 @@ ARM = (1000, 220, 260, 220)
 
 
 class Pointer:
-    """The display's own, by the extension that tests are made with (XTEST)."""
+    """A pointer event of the display, by the XTEST extension."""
 
     def __init__(self, display):
         self.x11 = ctypes.CDLL("libX11.so.6")
@@ -40,7 +40,7 @@ class Pointer:
         self.x11.XDefaultRootWindow.restype = ctypes.c_ulong
 
     def fill_screen(self, width, height):
-        """The only window of the display, which has no manager of windows."""
+        """The only window of the display, which has no window manager."""
         root, parent, children, count = ctypes.c_ulong(), ctypes.c_ulong(), ctypes.POINTER(ctypes.c_ulong)(), ctypes.c_uint()
         self.x11.XQueryTree(self.display, ctypes.c_ulong(self.x11.XDefaultRootWindow(self.display)), ctypes.byref(root),
                             ctypes.byref(parent), ctypes.byref(children), ctypes.byref(count))
@@ -62,7 +62,7 @@ class Pointer:
 
 
 class Picture:
-    """What the display shows, as xwd writes it: a head, a table of colours, rows of four bytes a pixel."""
+    """The display's picture in xwd format: a header, a colour table, rows of four bytes per pixel."""
 
     def __init__(self, path):
         with open(path, "r+b") as file:
@@ -74,7 +74,7 @@ class Picture:
 
     def part(self, x, y, width, height):
         start = self.first + y * self.bytes_a_row + 4 * x
-        # A row in eight tells of an arm.
+        # Every eighth row is enough for an arm.
         return b"".join(self.bytes[start + row * self.bytes_a_row:start + row * self.bytes_a_row + 4 * width]
                         for row in range(0, height, 8))
 
@@ -84,7 +84,7 @@ def scaled(places, scale):
 
 
 def wait_for_another(picture, part, before):
-    """Seconds until the part differs."""
+    """Seconds until the compared part differs."""
     most_s = 2.0 * watched_kiosk.SLOWNESS
     began = time.monotonic()
     while picture.part(*part) == before:
@@ -111,7 +111,7 @@ def measure(pointer, picture, scale, moves):
         time.sleep(random.uniform(0.0, FRAME_S))
         pointer.move(scaled((ABOVE, BELOW)[number % 2], scale))
         waits_s.append(wait_for_another(picture, arm, before))
-    return sorted(waits_s[1:])  # at the first the hand comes over from where a card was touched
+    return sorted(waits_s[1:])  # without the first, in which the hand moves over from a touched card
 
 
 def main():

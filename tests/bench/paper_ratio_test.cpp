@@ -1,4 +1,4 @@
-// That the tick's cost follows the contact and not the number of elements: its ratio to the scan. Only in
+// The tick's cost depends on the contact, not on the number of elements: tests its ratio to the scan. Only in
 // Release builds. The best of several rounds counts, because a busy machine can only make a round slower.
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kRounds = 10;
 
-// The typical time of one tick, that an interruption in one of them does not change.
+// The median time of a tick, which single interruptions do not change.
 double median_s(PaperTickCase& wall, double (PaperTickCase::*tick)(), int ticks) {
     std::vector<double> times_s;
     for (int i = 0; i < ticks; ++i)

@@ -26,7 +26,7 @@ void compiler_barrier() {
 }  // namespace
 
 StopWatch::StopWatch() {
-    // The least of many: what the clock costs when nothing disturbs it, so that never too much is subtracted.
+    // The least of many: the clock's undisturbed cost, so that not too much is subtracted.
     double least_s = 1.0;
     for (int i = 0; i < 1000; ++i) {
         start();

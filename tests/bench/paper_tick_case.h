@@ -1,6 +1,6 @@
-// What paper_tick and paper_tick_scan both do: a tool at y = 100 mm works 1 mm +- 0.2 mm deep in a straight
-// 60 mm wall while the wheel turns. After each tick the wall is put back, outside the timed part, so that
-// every timed tick meets the same contact. One thread. Units: mm; times in s.
+// The work of both paper_tick and paper_tick_scan: a tool at y = 100 mm works 1 mm +- 0.2 mm deep in a
+// straight 60 mm wall while the wheel turns. After each tick the wall is put back, outside the timed part, so
+// that every timed tick meets the same contact. One thread. Units: mm; times in s.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace onggi::bench {
 
-// Seconds between two moments, less what asking the clock costs.
+// Seconds between two moments, minus the cost of reading the clock.
 class StopWatch {
   public:
     StopWatch();
@@ -30,7 +30,7 @@ class PaperTickCase {
     // Each: one timed tick of the wall, which it restores afterwards. Returns the seconds it took.
     double tick_clay();
     double tick_scan();
-    // Of the last tick of either.
+    // The forces of the last tick of either.
     [[nodiscard]] const clay::ContactForces& forces() const { return forces_; }
 
     // Whether both touch the same elements and feel the same force at every position the tool takes.
@@ -42,7 +42,7 @@ class PaperTickCase {
     clay::PaperParameters parameters_;
     clay::PaperClay clay_;
     clay::PaperReference scan_;
-    // The elements a tool at its deepest can reach, and what is put back there.
+    // The elements that the tool can reach at its deepest, and their saved radii.
     int first_ = 0;
     std::vector<float> straight_wall_mm_;
     std::vector<clay::ToolInput> path_;  // one period of the depth, off the element grid

@@ -1,7 +1,6 @@
-// publish_snapshot: what it costs the haptic thread to hand one snapshot of 2000 radii to the picture.
-// safety_chain: what stands between the clay's force and the hand. velocity_estimator: how fast the hand is.
-// whole_tick, whole_tick_studio: all that one period of the haptic thread does at work: device, clay, safety,
-// record, snapshot.
+// publish_snapshot: the haptic thread's cost of publishing a snapshot of 2000 radii. safety_chain,
+// velocity_estimator: the cost of each. whole_tick, whole_tick_studio: a whole period of the haptic thread:
+// device, clay, safety, record, snapshot.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -74,12 +73,12 @@ void velocity_estimator(benchmark::State& state) {
         benchmark::DoNotOptimize(velocity_mm_s);
         fastest_mm_s = std::max(fastest_mm_s, velocity_mm_s.x);
     }
-    // The library also tries with a single tick, in which nothing can have moved.
+    // The library also runs a single tick, in which nothing can move.
     if (state.iterations() > 300 && fastest_mm_s == 0.0) fail(state, "the tool did not move");
 }
 BENCHMARK(velocity_estimator);
 
-// A hand that goes inwards at 10 mm/s, which keeps a 10 mm tool about 1 mm deep in the clay.
+// A hand that moves inwards at 10 mm/s, which keeps a 10 mm tool about 1 mm deep in the clay.
 class SteadyHand final : public haptics::HapticDevice {
   public:
     SteadyHand(double wall_mm, double rate_hz) : wall_mm_(wall_mm), rate_hz_(rate_hz) {}

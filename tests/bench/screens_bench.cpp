@@ -24,7 +24,7 @@ namespace {
 
 using Screens = std::vector<std::shared_ptr<const screens::Composed>>;
 
-// A screen of a language; null where there is none of that name.
+// A screen in a language; null if there is none of that name.
 class Composing {
   public:
     std::shared_ptr<const screens::Composed> composed(const std::string& language, const std::string& name) {
@@ -41,7 +41,8 @@ class Composing {
     screens::PaintingStore store_{painter_};
 };
 
-// Each screen for half a second, in turn; counted are the frames while the stage changes, or while it rests.
+// Shows each screen for half a second; counts the frames in which the stage changes, or those in which it
+// rests.
 void screen_frames(benchmark::State& state, const Screens& shown, bool counts_changes) {
     constexpr int kFramesEach = 30;
     constexpr double kFrameS = 1.0 / 60.0;
@@ -69,7 +70,7 @@ void screen_frames(benchmark::State& state, const Screens& shown, bool counts_ch
             const auto taken = (*opened)->frame(&overlay);
             if (!taken) return fail(state, taken.error().message.c_str());
             time = *taken;
-            // The first time round every picture is new to the device, as at the kiosk's start.
+            // In the first round every picture is new to the device, as at the kiosk's start.
             counts = number >= kFramesEach * shown.size() && stage.changes(now_s) == counts_changes;
             ++number;
         } while (!counts);

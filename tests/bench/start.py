@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How long the kiosk takes from its start to its first picture, and what memory it then holds.
+"""Measures the kiosk's time from start to the first picture, and its memory afterwards.
 
     tests/bench/start.py [--runs N] [--after SECONDS] [PROGRAM]
 
@@ -17,7 +17,7 @@ import watched_kiosk
 
 
 def start(program, folder, display, cache, after_s):
-    """Seconds to the first picture; MB of its own and MB that are resident, so many seconds later."""
+    """Returns the seconds to the first picture, and the anonymous and the resident memory, MB, some seconds later."""
     began = time.monotonic()
     with watched_kiosk.kiosk(program, folder, display, MESA_SHADER_CACHE_DIR=cache) as kiosk:
         took_s = time.monotonic() - began

@@ -39,7 +39,7 @@ class StudioTickCase {
             tick();
     }
 
-    // Seconds that one tick took.
+    // The time of one tick, s.
     double tick() {
         if (++ticks_ % kTicksARestore == 0) restore();
         const double depth_mm = 1.0 + 0.2 * ((ticks_ % 16) / 7.5 - 1.0);
@@ -49,7 +49,7 @@ class StudioTickCase {
         const auto end = std::chrono::steady_clock::now();
         contacts_ = forces.hand.contacts;
         second_contacts_ = forces.second.contacts;
-        // Walls give way as a whole in every other tick at most.
+        // A wall yields as a whole in every other tick at most.
         changed_ = std::max(changed_, forces.hand.touched_count);
         return std::chrono::duration<double>(end - start).count();
     }

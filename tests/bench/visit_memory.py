@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The most memory that the kiosk holds at any moment of a visit.
+"""Measures the kiosk's peak memory during a visit.
 
     tests/bench/visit_memory.py [--size WxH] [--runs N] [PROGRAM [TARGETS]]
 
@@ -22,7 +22,7 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def most_of_visit(program, targets, size):
-    """Of its own memory and of all that is resident, MB; the first is looked at ten times a second."""
+    """The largest anonymous and resident memory, MB; the first is sampled ten times a second."""
     with tempfile.TemporaryDirectory() as folder:
         starter = pathlib.Path(folder, "onggi")
         starter.write_text(f'#!/bin/sh\n[ "$1" != kiosk ] || echo $$ >{folder}/process\nexec {program} "$@"\n')
@@ -37,7 +37,7 @@ def most_of_visit(program, targets, size):
                 most_own_mb = max(most_own_mb, watched_kiosk.memory_mb(process, "smaps_rollup", "Anonymous"))
                 most_resident_mb = max(most_resident_mb, watched_kiosk.memory_mb(process, "status", "VmHWM"))
             except (OSError, ValueError):
-                pass  # it has not begun yet, or has ended
+                pass  # not started yet, or ended
         if visit.returncode != 0:
             raise SystemExit(f"{visit.args[1]}: exit code {visit.returncode}")
         return most_own_mb, most_resident_mb

@@ -1,4 +1,4 @@
-// wake_latency: how late the haptic tick begins with a renderer at work beside it, and without, in turns of a
+// wake_latency: how late the haptic tick starts with and without a renderer beside it, alternating every
 // second within one run. The studio's clay at 1 kHz on the last core as the program runs it (SCHED_FIFO where
 // the kernel grants it), the whole picture at 60 Hz on the others.
 //   onggi_bench --benchmark_filter=wake_latency      (not under taskset: it needs both cores)
@@ -32,7 +32,7 @@ struct Beside {
     std::uint64_t missed = 0;
 };
 
-// A second of the job, and of frames or of rests of the same rate.
+// One second of the job, beside frames or sleeps at the same rate.
 Result<void> take_turn(Beside& beside, FrameCase& picture, const jobs::CoreChoice& core, bool& has_fifo) {
     haptic::HapticJobOptions options;
     options.real_time.core = core;
@@ -54,7 +54,8 @@ Result<void> take_turn(Beside& beside, FrameCase& picture, const jobs::CoreChoic
     }
     job.stop();
     const jobs::TickStats& stats = job.stats();
-    // Of each turn its own: the median of turns tells the machine's bad seconds from the renderer's.
+    // Recorded for each turn: the median of the turns separates the machine's bad seconds from the renderer's
+    // effect.
     beside.p50_ns.record(static_cast<std::int64_t>(stats.wake_latency_ns.percentile(0.5)));
     beside.p99_ns.record(static_cast<std::int64_t>(stats.wake_latency_ns.percentile(0.99)));
     beside.longest_ns = std::max(beside.longest_ns, stats.wake_latency_ns.max());

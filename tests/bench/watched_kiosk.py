@@ -1,4 +1,4 @@
-"""A kiosk on a display of its own, for scripts that time what a visitor sees."""
+"""A kiosk on a display of its own, for scripts that measure its picture."""
 
 import contextlib
 import os
@@ -13,8 +13,8 @@ SLOWNESS = max(1.0, float(os.environ.get("ONGGI_SLOWNESS", "1")))
 
 
 def memory_mb(process, account, name):
-    """A size that /proc says of a process, MB of a million bytes: of smaps_rollup Anonymous, which is what the program has
-    allocated itself, or Rss, with the files that it has mapped; of status VmHWM, the most that Rss ever was."""
+    """A size of a process from /proc, MB of a million bytes: from smaps_rollup Anonymous, the memory that the program has
+    allocated itself, or Rss, with the files that it has mapped; from status VmHWM, the peak of Rss."""
     with open(f"/proc/{process}/{account}") as lines:
         for line in lines:
             if line.startswith(name + ":"):
@@ -24,7 +24,7 @@ def memory_mb(process, account, name):
 
 @contextlib.contextmanager
 def display(size, folder):
-    """The name of a new display of WxH pixels; what it shows lies in folder/Xvfb_screen0, as xwd writes it."""
+    """The name of a new display of WxH pixels; its picture is folder/Xvfb_screen0, in xwd format."""
     server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-noreset", "-fbdir", folder, "-screen", "0", size + "x24"],
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     try:
@@ -35,7 +35,7 @@ def display(size, folder):
 
 
 def under_cage(folder):
-    """What starts a program in the compositor that a museum has, in a window of the display. It refuses root."""
+    """The command that starts a program in the museum's compositor, in a window of the display. It refuses root."""
     compositor = ["env", "WLR_BACKENDS=x11", "WLR_RENDERER=pixman", "XDG_RUNTIME_DIR=" + folder, "HOME=" + folder, "cage", "--"]
     if os.geteuid() != 0:
         return compositor

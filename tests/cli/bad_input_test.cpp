@@ -9,7 +9,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// Throws `input`, which must be refused for this reason, over an older profile and to new files.
+// Throws `input`, which must be refused for this reason, with outputs to an existing profile and to new
+// files.
 ProgramRun expect_refused(const TemporaryFolder& folder, const std::string& input, int exit_code,
                           const std::string& reason) {
     put_file(folder / "old.csv", "old");
@@ -69,7 +70,7 @@ TEST(ABadGesture, OfAHundredMegabytesInOneLineIsRefusedWithoutReadingThem) {
         expect_refused(folder, "junk.csv", 2, "junk.csv:1: expected a line of at most 4096 bytes");
     expect_memory_below(run, 64 << 10);
 
-    // Behind a good start it has to be read; what it takes is its own size and no more.
+    // The file starts well, so it has to be read; that takes no more memory than its size.
     put_file(folder / "junk.csv",
              kGestureHeaderLine + "0,90,100,0,1,10\n1," + std::string(std::size_t{100} << 20U, '7'));
     run = expect_refused(folder, "junk.csv", 2, "junk.csv:3: expected a line of at most 4096 bytes");
@@ -167,7 +168,7 @@ TEST(ACutSession, IsPlayedUpToItsLastWholeBlockAndSaysSo) {
     EXPECT_EQ(std::count(forces.begin(), forces.end(), '\n'), 1001);
 }
 
-// Before any window is opened, with or without a supervisor.
+// Refused before any window is opened, with or without a supervisor.
 TEST(BadSettingsOfAKiosk, AreRefusedWithTheirLineAndWhatIsAllowed) {
     const std::pair<std::string, std::string> cases[] = {
         {"[visit]\nidle_s = 5\n", "bad.toml, line 2: expected 10 to 600 for idle_s, found 5"},
@@ -188,7 +189,7 @@ TEST(BadSettingsOfAKiosk, AreRefusedWithTheirLineAndWhatIsAllowed) {
         }
         EXPECT_EQ(folder.names(), Words{"bad.toml"});
     }
-    // The doctor says the same, and has looked.
+    // The doctor reports the same, after its checks.
     const TemporaryFolder ill;
     put_file(ill / "bad.toml", cases[0].first);
     const ProgramRun doctor = run_onggi({"doctor", "--config", "bad.toml"}, {.folder = ill.path()});

@@ -1,4 +1,4 @@
-// Output places that cannot be: refused before the work, never touched, nothing left half-written.
+// Impossible output paths are refused before the work, never touched, and no partial file is left.
 #include <sys/stat.h>
 
 #include "tests/cli/cli_expectations.h"
@@ -11,7 +11,7 @@ using Words = std::vector<std::string>;
 
 const char* const kOutputs[] = {"--profile", "--forces", "--export", "--save", "--stats"};
 
-// A name of the kind the option writes.
+// A file name with the option's extension.
 std::string name_for(const std::string& option) {
     return option == "--export" ? "pot.glb" : "out";
 }
@@ -38,7 +38,7 @@ TEST(AnOutput, InAPlaceThatCannotBeIsRefusedAndLeftAlone) {
 }
 
 TEST(AnOutput, IsCheckedBeforeTheWork) {
-    // An hour's gesture would take its time: the missing folder is seen first.
+    // An hour's gesture would take long: the missing folder is noticed first.
     const TemporaryFolder folder;
     put_file(folder / "hour.csv", kGestureHeaderLine + "0,90,100,0,1,10\n3600,90,100,0,1,10\n");
     const ProgramRun run = run_onggi({"throw", "hour.csv", "--clay", "paper", "--rate", "10000", "--forces",
@@ -66,7 +66,7 @@ TEST(AnOutput, WithoutPermissionIsASystemThatLacksIt) {
 }
 
 TEST(AnOutput, OnAFullDiskIsASystemThatLacksSpace) {
-    // Files of at most 4 KiB: none of these outputs fits, whatever the disk.
+    // Files are limited to 4 KiB, too small for each of these outputs.
     const TemporaryFolder folder;
     for (const std::string option : kOutputs) {
         if (option == "--stats") continue;  // a few hundred bytes fit anywhere
@@ -93,7 +93,7 @@ TEST(AnOutput, ThatFailsTakesTheOthersWithIt) {
 }
 
 TEST(AnOutput, OnARealFullDiskLeavesNothing) {
-    // On a disk of 64 KiB that only the program sees; what it left is listed before that disk goes away.
+    // On a disk of 64 KiB that only the program sees; its files are listed before that disk disappears.
     const TemporaryFolder folder;
     const std::string answer = in_child([&] {
         fill_disk_after(folder.path(), std::size_t{64} << 10U);
@@ -112,7 +112,7 @@ TEST(AnOutput, HasAPlaceOfItsOwn) {
     const TemporaryFolder folder;
     expect_one_line(run_onggi({"throw", kPressAndHold, "--profile", "same.csv", "--forces", "./same.csv"},
                               {.folder = folder.path()}),
-                    2, "expected a file of its own for each output");
+                    2, "expected a separate file for each output");
     EXPECT_TRUE(folder.names().empty());
 }
 

@@ -1,4 +1,4 @@
-// What every test of the command line wants: gestures on a disk, one clear line, nothing left behind.
+// Helpers for all tests of the command line: gestures on disk, one clear line, no files left behind.
 #pragma once
 
 #include <gtest/gtest.h>

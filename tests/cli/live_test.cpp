@@ -1,5 +1,5 @@
-// `onggi live`: real time, without a window. How punctual a busy test machine is, is no matter here; that
-// every period is accounted for, is.
+// `onggi live`: real time, without a window. These tests check that every period is accounted for, not how
+// punctual a busy machine is.
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/cli_expectations.h"
@@ -7,8 +7,8 @@
 namespace onggi::test {
 namespace {
 
-// Drawing on the processor, small enough for a sanitizer; a machine that refuses real time says so and goes
-// on.
+// The CPU backend, small enough for a sanitizer; without real-time permission the program reports it and
+// continues.
 const std::vector<std::string> kSmallPicture{"--headless", "--size", "64x36"};
 
 std::vector<std::string> with_small_picture(std::vector<std::string> words) {
@@ -71,8 +71,8 @@ TEST(Live, ThrowsTheSamePotAsSimulatedTime) {
     }
 }
 
-// The whole picture. Seconds depend on the machine, and so do resident megabytes, by its fonts and drivers;
-// those that the program has allocated hardly do.
+// The full picture. Times and resident memory depend on the machine, its fonts and drivers; allocated memory
+// hardly does.
 TEST(Live, TellsItsFirstFrameAndKeepsItsMemorySmall) {
     const TemporaryFolder folder;
     put_file(folder / "g.csv", kShortGesture);

@@ -1,4 +1,4 @@
-// What becomes of a studio pot on the command line: thrown on, joined, fired, and scored beside a museum's.
+// Studio pots on the command line: thrown on, joined, fired, and scored against a museum's.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ const std::string kBowl =
     "4.9,10,90,0,1,10,0,rim,34\n"
     "5.0,10,90,0,1,10,0,none,0\n";
 
-// A hand that collars whatever is 40 to 50 mm high.
+// A hand that collars the clay between 40 and 50 mm of height.
 const std::string kCollar =
     "t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\n0,90,48,0,1,10\n0.5,60,48,0,1,10\n1.5,54,46,0,1,10\n2,90,60,0,"
     "1,10\n";

@@ -25,7 +25,7 @@ class Replay : public testing::Test {
     std::size_t first_block_at_ = 0;
 };
 
-TEST_F(Replay, OfAnUntouchedSessionIsTheSame) {
+TEST_F(Replay, OfAnUnchangedSessionIsTheSame) {
     const ProgramRun run = replay(bytes_);
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");

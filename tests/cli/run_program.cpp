@@ -33,7 +33,7 @@ namespace {
     ::_exit(127);
 }
 
-// Appends what there is; false when there will be no more.
+// Appends the available output; false at the end of the output.
 bool read_some(int descriptor, std::string& text) {
     std::array<char, 65536> bytes{};
     const ssize_t got = ::read(descriptor, bytes.data(), bytes.size());
@@ -143,7 +143,7 @@ void RunningOnggi::signal(int number) const {
 int RunningOnggi::exit_code(std::chrono::seconds most) {
     const bool has_ended = comes_true(
         [&] {
-            (void)printed();  // a full pipe would hold it up
+            (void)printed();  // a full pipe would block it
             return !at_work();
         },
         most);

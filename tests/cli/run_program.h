@@ -1,4 +1,4 @@
-// Runs the built program and looks at what a caller sees: exit code, output, errors, memory.
+// Runs the built program and captures exit code, output, errors and memory.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 namespace onggi::test {
 
 struct ProgramRun {
-    int exit_code = -1;  // -1: it did not exit by itself
+    int exit_code = -1;  // -1: a signal ended it
     std::string out;
     std::string err;
     long most_memory_kb = 0;
@@ -18,20 +18,20 @@ struct ProgramRun {
 struct ProgramOptions {
     std::string folder = ".";                   // to run in
     std::vector<std::string> environment = {};  // NAME=VALUE, on top of the test's own
-    std::function<void()> in_child = [] {};     // just before the program takes the process over
+    std::function<void()> in_child = [] {};     // in the child, just before exec
 };
 
-// `onggi` with these words; its output goes into pipes.
+// Runs `onggi` with these arguments; its output goes into pipes.
 ProgramRun run_onggi(const std::vector<std::string>& words, const ProgramOptions& options = {});
 
-// The same on a terminal: all it prints is in `out`.
+// The same on a terminal: `out` holds all output.
 ProgramRun run_onggi_on_terminal(const std::vector<std::string>& words, const ProgramOptions& options = {});
 
-// Starts it, and kills it after so many milliseconds. True if it was still at work.
+// Starts `onggi`, and kills it after after_ms. Returns whether it was still running.
 bool run_onggi_and_kill(const std::vector<std::string>& words, int after_ms,
                         const ProgramOptions& options = {});
 
-// The program at work, while the test goes on. Killed when it goes out of scope.
+// A running program. Killed at the end of the scope.
 class RunningOnggi {
   public:
     explicit RunningOnggi(const std::vector<std::string>& words, const ProgramOptions& options = {});
@@ -39,12 +39,13 @@ class RunningOnggi {
     RunningOnggi(const RunningOnggi&) = delete;
     RunningOnggi& operator=(const RunningOnggi&) = delete;
 
-    // What it has printed so far, output and errors together.
+    // Its output and errors so far, together.
     [[nodiscard]] const std::string& printed();
     [[nodiscard]] bool at_work();
     void signal(int number) const;
     [[nodiscard]] int process() const { return child_; }
-    // Waits for it to end by itself, at most so long (comes_true.h). -1: it did not, or a signal ended it.
+    // Waits at most that long (comes_true.h) for the program to end. Returns -1 after a timeout or if a
+    // signal ended it.
     int exit_code(std::chrono::seconds most = std::chrono::seconds(60));
 
   private:

@@ -1,5 +1,5 @@
-// `onggi status` as the house's monitoring calls it: exit codes, one object, one line of refusal; and as
-// another user, who may look or is told why not.
+// `onggi status` as a museum's monitoring calls it: exit codes, one object, one line of refusal; and as
+// another user, with and without permission.
 #include <grp.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -57,7 +57,7 @@ TEST_F(Status, EndsWithZeroWhereAllIsWellAndWithOneWhereNot) {
 
 TEST_F(Status, LeavesAllAsItWas) {
     beat(0);
-    fs::create_directories(gallery_ / "2026-11-25/pot-001.part");  // of a pot that is being kept just now
+    fs::create_directories(gallery_ / "2026-11-25/pot-001.part");  // of a pot that is just being kept
     const auto before = fs::last_write_time(gallery_ / "state");
     EXPECT_EQ(run({}).exit_code, 0);
     EXPECT_TRUE(fs::exists(gallery_ / "2026-11-25/pot-001.part"));
@@ -92,7 +92,7 @@ TEST_F(Status, SaysThatItMayNotLookAndMayAsOneOfTheGroup) {
     expect_one_line(run({"--json"}, as_one_of(kStranger)), 3, "kiosk.toml");
     EXPECT_EQ(run({"--json"}, as_one_of(kGroup)).exit_code, 0);
     ASSERT_EQ(::chmod(settings_.c_str(), 0644), 0);
-    expect_one_line(run({"--json"}, as_one_of(kStranger)), 3, "expected to look into it");
+    expect_one_line(run({"--json"}, as_one_of(kStranger)), 3, "expected permission to read it");
 }
 
 }  // namespace

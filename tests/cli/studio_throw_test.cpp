@@ -1,4 +1,4 @@
-// `onggi throw` with the studio's clay, and with the gesture columns that only it hears.
+// `onggi throw` with the studio's clay, and with the gesture columns that only the studio's clay uses.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -61,7 +61,7 @@ TEST_F(StudioThrow, WritesBothFacesOfTheWall) {
     }
     EXPECT_NEAR(hollow_from_mm, 12.0, 0.6) << "the floor is kept";
     EXPECT_NEAR(y_mm, 34.0, 0.2) << "the wire has cut the rim level";
-    // A ball of 10 mm at 24 mm from the axis, less the 0.25 mm that the clay keeps.
+    // A ball of 10 mm at 24 mm from the axis, minus the yield depth of 0.25 mm.
     EXPECT_NEAR(numbers_of(lines[lines.size() * 2 / 3])[2], 33.0, 1.0);
 }
 

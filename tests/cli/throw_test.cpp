@@ -1,4 +1,4 @@
-// What `onggi throw` writes when all is well.
+// The outputs of a successful `onggi throw`.
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/cli_expectations.h"
@@ -98,7 +98,7 @@ TEST_F(Throw, OfASessionIsThatOfItsGesture) {
     expect_silent_success(run_onggi({"throw", kPressAndHold, "--rate", "400", "--elements", "700", "--save",
                                      "a.onggi", "--forces", "a.csv"},
                                     here));
-    // Told apart by content: the name says nothing.
+    // The kind of file is recognised by content, not by name.
     std::filesystem::rename(folder_ / "a.onggi", folder_ / "gesture.csv");
     expect_silent_success(
         run_onggi({"throw", "gesture.csv", "--save", "b.onggi", "--forces", "b.csv"}, here));

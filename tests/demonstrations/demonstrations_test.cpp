@@ -1,5 +1,5 @@
-// The bundled demonstrations: each replays to the bit, is the pot it is there for, takes no longer than a
-// visitor watches, and leaves as a sound solid.
+// The bundled demonstrations: each replays to the bit, yields the intended pot, is short enough to watch, and
+// exports as a sound solid.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ void PrintTo(const Expected& expected, std::ostream* out) {
 
 class Demonstration : public testing::TestWithParam<Expected> {
   protected:
-    // The session, or a failed test and an empty one.
+    // Returns the session; fails the test and returns an empty one if it cannot be loaded.
     [[nodiscard]] static Result<app::LoadedSession> loaded() {
         auto session = app::load_session(
             test::in_checkout(fmt::format("assets/demonstrations/{}.onggi", GetParam().name)));

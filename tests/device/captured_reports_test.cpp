@@ -1,4 +1,4 @@
-// Reports as they were captured from real devices, through the real hidapi to the numbers they stand for.
+// Reports captured from real devices, decoded through the real hidapi.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,15 +21,15 @@ using testing::kSpaceMouse;
 using testing::MockBus;
 using testing::MockHid;
 
-// A mock's reports are one stream of bytes, in which two that wait together would be read as one, and what it
-// says before anybody listens it says again. So each waits until it is asked for.
+// A mock's reports are one stream of bytes: two pending reports would be read as one, and reports sent before
+// the device is opened are repeated. So each report waits until it is requested.
 constexpr std::array<std::uint8_t, 1> kAsked{0xff};
 
 void add_report(HidScript& script, const std::string& report) {
     script.expects("ff").reports(report, 5);
 }
 
-// The only device on the bus, opened, and its reports one after the other.
+// Opens the only device on the bus and reads its reports one by one.
 class Heard {
   public:
     Heard(const MockHid& device, const HidScript& script) {
@@ -45,7 +45,7 @@ class Heard {
         if (port) port_ = std::move(port).value();
     }
 
-    // Waits for it for ten seconds, longer on a slow machine; empty when none came.
+    // Waits up to ten seconds, longer on a slow machine; empty after a timeout.
     [[nodiscard]] std::span<const std::uint8_t> next() {
         if (!port_) return {};
         EXPECT_TRUE(port_->write(kAsked));
@@ -133,7 +133,7 @@ TEST(CapturedReports, OfAFootPedalSayWhichAreDown) {
     }
 }
 
-// Field values of a ViGEm DualSense sample, put where the table has them.
+// Field values of a ViGEm DualSense sample, at the offsets of the table.
 TEST(CapturedReports, OfADualSenseSayWhatItsSensorsFelt) {
     const std::string zeros = " 00 00 00 00";
     const std::string report = "01 80 80 80 80 00 ff 00 08 00 00 00" + zeros +           // to byte 15

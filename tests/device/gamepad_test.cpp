@@ -28,7 +28,7 @@ const GamepadIdentity kPad{.node = 7,
 class GamepadsThroughGlfw : public ::testing::Test {
   protected:
     GamepadsThroughGlfw() {
-        // It is there on every machine, and GLFW looks at it for what comes later.
+        // This folder exists on every machine, and GLFW watches it for new devices.
         std::filesystem::create_directories(std::filesystem::path(umockdev_testbed_get_root_dir(testbed_)) /
                                             "dev" / "input");
     }
@@ -86,7 +86,7 @@ TEST_F(GamepadsThroughGlfw, SayWhereSticksAndTriggersAre) {
         first_comes_to([](const Gamepad& one) { return one.right_x < -0.49F && one.right_x > -0.51F; }));
     pad.move(ABS_RY, 32767);
     ASSERT_TRUE(first_comes_to([](const Gamepad& one) { return one.right_y > 0.99F; }));
-    // A trigger is nothing when it is let go, and one when it is pulled.
+    // A trigger is 0 when released, and 1 when pulled.
     pad.move(ABS_Z, 0);
     pad.move(ABS_RZ, 255);
     ASSERT_TRUE(first_comes_to(

@@ -131,12 +131,12 @@ TEST(DualSenseOnTheBus, IsToldToBeStillAndRead) {
     const auto device = opened(HidKind::kDualSense);
     std::uint64_t tick = 0;
     const double start_mm = device->read(tick++, 0.001).position_mm.x;
-    // The trigger all the way: pressed in by up to 20 mm.
+    // The trigger fully pulled: pressed in by up to 20 mm.
     EXPECT_TRUE(comes_true([&] { return device->read(tick++, 0.001).position_mm.x < start_mm - 5.0; }));
 }
 
-// What an OpenFFBoard must be told at first (the driver's unit test explains each), with the features'
-// answers.
+// The first reports to an OpenFFBoard (the driver's unit test explains each), with the answers to feature
+// requests.
 HidScript joystick_script() {
     HidScript script = testing::joystick_features();
     for (const char* report : {"0c 08", "0c 08", "0c 04", "0c 01", "0d ff",
@@ -163,7 +163,7 @@ TEST(JoystickOnTheBus, HoldsItsSessionByteForByteThenPlacesTheTool) {
     bus.plug_in(kJoystick, joystick_script());
     const auto device = opened(HidKind::kForceJoystick);
     std::uint64_t tick = 0;
-    // The report comes only after every expected write; the stick in the middle is the middle of the reach.
+    // The report comes only after all expected writes; a centred stick is the middle of the reach.
     EXPECT_TRUE(comes_true([&] {
         return device->read(tick++, 0.001).position_mm == dvec3(75.0, 125.0, 0.0);
     })) << device->status().message;
@@ -173,8 +173,8 @@ TEST(JoystickOnTheBus, HoldsItsSessionByteForByteThenPlacesTheTool) {
 TEST(JoystickOnTheBus, OfTheOtherLayoutHoldsItsSessionByteForByteToo) {
     MockBus bus;
     HidScript script;
-    // Its controls are numbers: 4 reset, 3 stop, 2 enable. Gains to 4096, directions to 255, the start delay
-    // last.
+    // Its controls are array values: 4 reset, 3 stop, 2 enable. Gains up to 4096, directions up to 255, the
+    // start delay last.
     for (const char* report :
          {"70 04", "70 04", "70 03", "70 02", "71 00 10",
           "65 01 08 f4 01 00 00 00 00 00 10 00 07 40 00 00 00",
@@ -231,7 +231,7 @@ TEST(JoystickOnTheBus, IsStoppedATenthOfASecondAfterTheLastOrderAndStartedByTheN
         return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - order).count();
     };
     constexpr std::string_view kStopAll = "0c04";
-    // A busy machine may delay the orders themselves by a tenth of a second; then a stop is right.
+    // A busy machine may delay the orders themselves by a tenth of a second; then a stop is correct.
     for (int count = 0; count < 300; ++count) {
         tick_once();
         if (is_told(kStopAll)) {
@@ -279,7 +279,7 @@ TEST(AnyDeviceOnTheBus, IsLostWhenPulledOutAndFoundWhenPluggedInAgain) {
     bus.pull_out(kPedal);
     EXPECT_TRUE(comes_true(is(hid::HidStatus::State::kAbsent)));
     MockHid again = kPedal;
-    again.node = 12;  // the kernel may number it anew
+    again.node = 12;  // the kernel may give it a new number
     bus.plug_in(again);
     EXPECT_TRUE(comes_true(is(hid::HidStatus::State::kReady)));
     EXPECT_EQ(device->status().path, "/dev/hidraw12");

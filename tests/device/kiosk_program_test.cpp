@@ -1,6 +1,5 @@
-// The experience itself among devices: the real program in a real window under Xvfb, the real hidapi, and
-// devices that umockdev describes. Runs under a display of its own (tests/window/with_display.sh). Never on
-// hardware.
+// The kiosk with devices: the real program in a real window under Xvfb, the real hidapi, and devices that
+// umockdev describes. Runs under a display of its own (tests/window/with_display.sh). Never on hardware.
 #include <gtest/gtest.h>
 #include <signal.h>  // NOLINT: SIGTERM
 
@@ -19,8 +18,8 @@ using testing::kPedal;
 using testing::kSpaceMouse;
 using testing::MockBus;
 
-// Three minutes, because a software driver under a sanitizer takes ten seconds to its first frame, and others
-// may want the processor.
+// Three minutes, because a software driver under a sanitizer takes ten seconds to its first frame, and the
+// machine may be busy.
 bool says(RunningOnggi& program, std::string_view line) {
     const auto has_said = [&] { return program.printed().find(line) != std::string::npos; };
     test::comes_true([&] { return has_said() || !program.at_work(); }, std::chrono::minutes(3));

@@ -1,5 +1,5 @@
-// `onggi live` among devices that come, go and hold the tool: the real program, hidapi and libudev, on
-// devices that umockdev describes. Never on hardware.
+// `onggi live` with devices that are plugged in, removed and hold the tool: the real program, hidapi and
+// libudev, on devices that umockdev describes. Never on hardware.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>  // NOLINT: SIGTERM, kill
@@ -27,7 +27,7 @@ using testing::LiveHid;
 using testing::MockBus;
 using testing::MockHid;
 
-// A hand that holds the tool away from the clay for as long as any test takes.
+// A hand that holds the tool away from the clay for longer than any test.
 constexpr std::string_view kAwayFromTheClay = "0,140,100,0,0,10\n300,140,100,0,0,10\n";
 
 std::string solid(std::initializer_list<std::string_view> reports) {
@@ -38,7 +38,7 @@ std::string solid(std::initializer_list<std::string_view> reports) {
     return text;
 }
 
-// The joystick's input report: the stick's X and Y as shares of 32767.
+// The joystick's input report: the stick's X and Y as fractions of 32767.
 std::string stick(double x, double y) {
     const auto field = [](double fraction) {
         const auto value = static_cast<std::uint16_t>(static_cast<std::int16_t>(fraction * 32767.0));
@@ -49,7 +49,7 @@ std::string stick(double x, double y) {
         text += "00 00 ";
     return text;
 }
-// Where the tool is to be, in the stick's terms: 0 to 150 mm of radius and 0 to 250 mm of height.
+// The stick's report for a tool position: 0 to 150 mm of radius and 0 to 250 mm of height.
 std::string stick_at(double radius_mm, double height_mm) {
     return stick(radius_mm / 75.0 - 1.0, 1.0 - height_mm / 125.0);
 }
@@ -59,7 +59,7 @@ void expect_left_in_peace(const std::string& written) {
         << "stop all, free all four, actuators off; found: " << written;
 }
 
-// 0: it has none, or several.
+// Returns 0 if it has none or several.
 int only_child_of(int process) {
     std::ifstream in(fmt::format("/proc/{0}/task/{0}/children", process));
     int child = 0;
@@ -80,9 +80,9 @@ class LiveAmongDevices : public ::testing::Test {
         words.insert(words.end(), more.begin(), more.end());
         return RunningOnggi(words, {.folder = folder_.path()});
     }
-    // Plugged in and taken in hand, its stick beside the clay for the ramp and then 2 mm deep. Where a busy
-    // machine holds the loop up meanwhile, the force stays off until the tool has left the clay, so that it
-    // is tried again, and for longer. What the joystick was told since.
+    // Plugs the joystick in and moves its stick: beside the clay for the ramp, then 2 mm deep. If a busy
+    // machine delays the loop meanwhile, the force stays off until the tool has left the clay, so the test
+    // tries again, for longer. Returns the reports sent to the joystick since.
     std::string press_into_the_clay(const LiveHid& joystick) {
         int trembles = 0;
         const auto stay_beside_the_clay = [&](int reports) {
@@ -156,7 +156,7 @@ TEST_F(LiveAmongDevices, AForceJoystickIsLeftInPeaceWhenTheProgramEndsByItself) 
     expect_left_in_peace(joystick.take_written());
 }
 
-// The kernel's out-of-memory killer asks nobody: the child is gone on the spot, its effects still run.
+// As by the kernel's out-of-memory killer: the child dies at once, while its effects still run.
 TEST_F(LiveAmongDevices, AForceJoystickIsLetGoByTheSupervisorWhenTheProgramIsKilled) {
     bus_.plug_in(kJoystick, joystick_features());
     const LiveHid joystick = bus_.at(kJoystick);
@@ -168,8 +168,7 @@ TEST_F(LiveAmongDevices, AForceJoystickIsLetGoByTheSupervisorWhenTheProgramIsKil
     joystick.take_written();
     ASSERT_EQ(::kill(child, SIGKILL), 0);
     EXPECT_EQ(onggi.exit_code(), 1);
-    EXPECT_NE(onggi.printed().find("the program died of signal 9; 1 device was told to let go"),
-              std::string::npos)
+    EXPECT_NE(onggi.printed().find("the program died of signal 9; 1 device was silenced"), std::string::npos)
         << onggi.printed();
     const std::string written = joystick.take_written();
     EXPECT_NE(written.find(solid({"0c 08", "0c 08", "0c 04", "0c 01"})), std::string::npos)

@@ -1,4 +1,4 @@
-// One device of each kind that there is a driver for, as the bus describes it. For tests.
+// One device for each driver, as the bus describes it. For tests.
 #pragma once
 
 #include "tests/device/mock_hid.h"
@@ -23,7 +23,7 @@ inline const MockHid kPedal{
     .product = "Footpedal",
     .descriptor = testing::hex("05 0c 09 03 a1 01 05 09 19 01 29 03 15 00 25 01 75 01 95 03 81 02 "
                                "95 0d 81 03 c0")};
-// The descriptor's reports 1 (63 bytes in) and 2 (47 out), with the rest left out.
+// Only the descriptor's reports 1 (63 bytes in) and 2 (47 out).
 inline const MockHid kDualSense{
     .node = 7,
     .vendor_id = 0x054c,
@@ -38,7 +38,7 @@ inline const MockHid kJoystick{.node = 8,
                                .maker = "Testing",
                                .product = "FFB stick",
                                .descriptor = testing::open_ffboard_descriptor()};
-// The other layout of the tables: other report numbers, other ranges, another order of the controls.
+// The second layout of the tables: other report numbers, ranges and order of the controls.
 inline const MockHid kRhino{.node = 13,
                             .vendor_id = 0xffff,
                             .product_id = 0x2055,
@@ -46,7 +46,7 @@ inline const MockHid kRhino{.node = 13,
                             .product = "Rhino",
                             .descriptor = testing::rhino_descriptor()};
 
-// What kJoystick answers when its effects are created: a block for each.
+// kJoystick's answers when its effects are created: one block for each.
 inline HidScript joystick_features() {
     return HidScript()
         .sets_feature("11 08 00 00")

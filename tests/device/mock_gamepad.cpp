@@ -33,7 +33,7 @@ std::vector<std::uint8_t> bytes_of(const Struct& value) {
     return bytes;
 }
 
-// What the kernel answers to a question of type 'E', <linux/input.h>; nothing: it does not know it.
+// The kernel's answer to an ioctl of type 'E' (<linux/input.h>); empty: unknown ioctl.
 std::vector<std::uint8_t> answer_to(unsigned number, EventQueue& queue) {
     const GamepadIdentity& pad = queue.pad;
     constexpr unsigned kId = 0x02;
@@ -87,8 +87,8 @@ gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer user
     return TRUE;
 }
 
-// What waits to be read, in whole events; nothing waits: EAGAIN, as of a node that is opened without
-// blocking.
+// Returns the pending bytes, in whole events; if there are none, EAGAIN, as for a node opened with
+// O_NONBLOCK.
 gboolean on_read(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer user) {
     auto& queue = *static_cast<EventQueue*>(user);
     UMockdevIoctlData* place = umockdev_ioctl_client_get_arg(client);
@@ -117,7 +117,7 @@ MockGamepad::MockGamepad(UMockdevTestbed* testbed, const GamepadIdentity& identi
     g_signal_connect(answers_, "handle-ioctl", G_CALLBACK(on_ioctl), &queue_);
     g_signal_connect(answers_, "handle-read", G_CALLBACK(on_read), &queue_);
     GError* error = nullptr;
-    // Whoever is told of the node asks at once.
+    // Attach before the node is announced: a listener sends ioctls at once.
     umockdev_testbed_attach_ioctl(testbed_, node.c_str(), answers_, &error);
     if (error != nullptr) ADD_FAILURE() << error->message;
     g_clear_error(&error);

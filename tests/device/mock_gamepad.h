@@ -1,6 +1,6 @@
 // A gamepad as the kernel shows it, /dev/input/eventN, described to umockdev: the real GLFW finds it, asks
-// what it has and reads its events. For tests, in a program that runs under umockdev-wrapper; nobody but one
-// thread plugs pads in and out.
+// what it has and reads its events. For tests, in a program that runs under umockdev-wrapper; one thread
+// plugs pads in and out.
 #pragma once
 
 #include <umockdev.h>
@@ -22,8 +22,8 @@ struct GamepadIdentity {
     std::uint16_t version = 0;
 };
 
-// What a node has to say and nobody has read yet; umockdev's thread takes it away.
-// Where its axes are is asked for after each report.
+// The unread events of a node, which umockdev's thread removes. The axes' positions are queried after each
+// report.
 struct EventQueue {
     GamepadIdentity pad = {};
     std::mutex lock = {};

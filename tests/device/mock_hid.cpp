@@ -65,7 +65,7 @@ std::string description(const MockHid& device) {
     return text;
 }
 
-// A byte below a blank is ^ and the letter 64 above; the caret itself is ^`.
+// Escapes a byte below a space as ^ and the letter 64 above; the caret itself as ^`.
 std::string escaped(std::string_view hex_bytes) {
     std::string text;
     for (const std::uint8_t byte : hex(hex_bytes)) {
@@ -81,7 +81,8 @@ std::string escaped(std::string_view hex_bytes) {
     return text;
 }
 
-// What the kernel answers to any hidraw node: the descriptor's size and the descriptor in its 4096 bytes.
+// The kernel's ioctl answers for a hidraw node: the descriptor's size, and the descriptor in a 4096-byte
+// buffer.
 std::string descriptor_ioctls(const MockHid& device) {
     const auto size = static_cast<std::uint32_t>(device.descriptor.size());
     std::vector<std::uint8_t> little;

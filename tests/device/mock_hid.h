@@ -25,14 +25,14 @@ struct MockHid {
     [[nodiscard]] std::string path() const { return "/dev/hidraw" + std::to_string(node); }
 };
 
-// What a device says and must be told, in order. A write that differs ends the program.
+// A device's reports and the expected writes, in order. A different write ends the program.
 class HidScript {
   public:
-    // The device reports this (hex) `after_ms` after what went before.
+    // The device sends this report (hex) `after_ms` after the previous step.
     HidScript& reports(std::string_view hex_bytes, int after_ms = 0);
     // The program must write this (hex).
     HidScript& expects(std::string_view hex_bytes);
-    // The program sets a feature report, and is given the answer to its next request for one.
+    // The program sets a feature report; the answer to its next request for one.
     HidScript& sets_feature(std::string_view hex_bytes);
     HidScript& answers_feature(std::string_view hex_bytes);
 
@@ -44,14 +44,14 @@ class HidScript {
     std::string ioctls_;
 };
 
-// The other side of a device that has no script: what the program wrote to it, and what it says, at once.
+// The test's end of a device without a script: reads the program's writes and sends reports at once.
 class LiveHid {
   public:
     explicit LiveHid(int file) : file_(file) {}
 
     void report(std::string_view hex_bytes) const;
-    // All that was written since the last call, as lower-case hex without blanks. Reports follow each other
-    // without a gap: the test knows their lengths.
+    // Returns the writes since the last call, as lower-case hex without blanks. Reports follow each other
+    // without a separator: the test knows their lengths.
     std::string take_written() const;
 
   private:
@@ -65,13 +65,13 @@ class MockBus {
     MockBus(const MockBus&) = delete;
     MockBus& operator=(const MockBus&) = delete;
 
-    // Fails the test where umockdev does not take the description.
+    // Fails the test if umockdev rejects the description.
     void plug_in(const MockHid& device, const HidScript& script = {});
     // For a device that was plugged in without a script.
     [[nodiscard]] LiveHid at(const MockHid& device);
-    // Nobody may read or write its node any more.
+    // Removes all permissions from its node.
     void forbid(const MockHid& device);
-    // Its node and all that belongs to it disappear.
+    // Removes its node and everything that belongs to it.
     void pull_out(const MockHid& device);
 
   private:

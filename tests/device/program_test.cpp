@@ -1,5 +1,5 @@
-// The program itself among HID devices: the real `onggi`, hidapi and libudev, on devices that umockdev
-// describes. Never on hardware.
+// The program with HID devices: the real `onggi`, hidapi and libudev, on devices that umockdev describes.
+// Never on hardware.
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -21,8 +21,8 @@ using testing::kSpaceMouse;
 using testing::MockBus;
 using testing::MockHid;
 
-// In a child that becomes the program: nobody else on this machine can listen at the port where it looks for
-// the service of an Inverse3. Where that is refused, the port is the machine's.
+// In the child before exec: a network of its own, so that no other process can listen at the port of an
+// Inverse3's service. If the system refuses that, the machine's network is used.
 void alone_on_the_network() {
     static_cast<void>(test::enter_own_network());
 }
@@ -39,7 +39,7 @@ TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
     const test::ProgramRun run = test::run_onggi({"devices"}, {.in_child = alone_on_the_network});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     for (const char* line :
-         {"good     device  simulated tool: mouse or touch, always there; the tool lags behind\n",
+         {"good     device  simulated tool: mouse or touch, always available; the tool lags behind\n",
           "good     device  /dev/hidraw5 256f:c635 3Dconnexion SpaceMouse Compact: SpaceMouse; moves the "
           "tool in "
           "radius and height; no force; button 1 starts and stops the wheel, a twist changes its speed\n",
@@ -58,8 +58,8 @@ TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
     }
 }
 
-// In a child that becomes the program: a service on the port where the Inverse3's would be. The program holds
-// the socket without knowing it, and the kernel lets connections wait there.
+// In the child before exec: a listening socket on the Inverse3 service's port. The program inherits the
+// socket, and the kernel queues connections there.
 void listen_as_the_inverse_service() {
     alone_on_the_network();
     const int listening = ::socket(AF_INET, SOCK_STREAM, 0);

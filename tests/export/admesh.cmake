@@ -1,16 +1,16 @@
-# admesh must find each STL pot closed, whole, outward, and without a degenerate facet, before any repair.
-# cmake -DADMESH=program -DPOTS=folder -P admesh.cmake
+# admesh must find each STL pot closed, complete, facing outward, and without a degenerate facet, before any
+# repair. cmake -DADMESH=program -DPOTS=folder -P admesh.cmake
 file(GLOB pots ${POTS}/*.stl)
 if(NOT pots)
     message(FATAL_ERROR "admesh: expected pots in ${POTS}, found none")
 endif()
 foreach(pot IN LISTS pots)
-    # A hollow that the clay has closed over is a part of its own.
+    # A closed hollow is a separate part.
     set(parts 1)
     if(pot MATCHES "closed_over")
         set(parts 2)
     endif()
-    # Every repair off but the exact check: what is reported is what is in the file.
+    # All repairs off except the exact check, so that the report describes the file.
     execute_process(COMMAND ${ADMESH} --exact --normal-directions --normal-values ${pot}
         OUTPUT_VARIABLE report ERROR_VARIABLE report RESULT_VARIABLE code)
     foreach(line IN ITEMS

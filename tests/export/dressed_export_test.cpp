@@ -1,5 +1,4 @@
-// Pots that wear their look: sound solids all the same, within what a phone bears, and what the pictures
-// show.
+// Textured pots: still sound solids, small enough for a phone, with the right pictures.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -90,7 +89,7 @@ TEST(DressedPot, IsTheSameFileTwice) {
     EXPECT_EQ(dressed(samples().front()), dressed(samples().front()));
 }
 
-// How often a vertex looks away from a face that it belongs to.
+// Counts vertex normals that point away from one of their faces.
 int against_their_faces(const asset::Mesh& mesh) {
     int count = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -103,7 +102,7 @@ int against_their_faces(const asset::Mesh& mesh) {
     return count;
 }
 
-// A wall into which a rasp was pressed: a band of narrow dents, deep and askew from row to row.
+// A wall with a band of narrow, deep dents that shift from row to row, as pressed by a rasp.
 exporter::PotRings pressed_wall() {
     exporter::PotRings rings;
     constexpr int kRings = 400;
@@ -170,7 +169,7 @@ TEST(PotPictures, ShowAGlazeABareFootAndADarkInside) {
     EXPECT_NEAR(mean_of(pictures.normal, 600, 800).x, 127.5, 2.0);
 }
 
-// Where in the pictures so high a place of the outside lies, and how high a row of them is; mm of the file.
+// Converts between a height on the outside (mm of the file) and a row of the pictures.
 double height_at_row(const std::vector<exporter::PictureRow>& rows, double row) {
     const double v = (row + 0.5) / look::kPictureSide;
     for (std::size_t i = 1; i < rows.size(); ++i) {

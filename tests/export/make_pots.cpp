@@ -1,5 +1,5 @@
 // make_pots DIR: writes the sample pots as files for the checks that other programs make (npm, browser,
-// admesh), and what those must find in them as DIR/pots.json.
+// admesh), and the expected results as DIR/pots.json.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ bool write(const std::filesystem::path& path, const std::vector<std::byte>& byte
     return file.good();
 }
 
-// All kinds of file; false after saying what went wrong.
+// Writes all file formats; returns false after printing an error.
 template <typename Export>
 bool write_all(const std::filesystem::path& folder, const std::string& name, Export export_as) {
     for (const auto& [kind, ending] : {std::pair{exporter::ExportKind::kGlb, ".glb"},
@@ -65,7 +65,7 @@ bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample
     return true;
 }
 
-// The same pot wearing its look, as visitors take it home.
+// The same pot with textures, as visitors take it home.
 bool add_dressed_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                      nlohmann::json& expected) {
     const clay::ClayBody body = pot.clay.lump().body;

@@ -1,4 +1,4 @@
-// The check of exported pots must itself catch what it is there for: each fault is put into a sound pot.
+// The check of exported pots must find every fault: each is planted in a sound pot.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -26,7 +26,7 @@ class MeshCheck : public testing::Test {
                      .max_radius_m = max_radius_mm * 1e-3};
     }
 
-    // The kinds of the faults found: the words before the colons.
+    // The kinds of the faults found: the text before the colons.
     [[nodiscard]] std::vector<std::string> kinds() const {
         std::vector<std::string> words;
         for (const std::string& fault : support::find_faults(mesh_, expected_)) {

@@ -18,7 +18,7 @@ using support::PotSample;
 constexpr double kMetresPerMm = 1e-3;
 constexpr std::size_t kTriangleBudget = 50000;
 
-// Of the outline that an export is measured against: straight between the middles of elements.
+// The radius of the reference outline: linear between the centres of elements.
 double radius_at(const PotSample& pot, double y_mm) {
     const double count = static_cast<double>(pot.radii_mm.size());
     const double at = std::clamp(y_mm / pot.height_mm * count - 0.5, 0.0, count - 1.0);
@@ -32,7 +32,7 @@ double max_radius_mm(const PotSample& pot) {
     return double{*std::max_element(pot.radii_mm.begin(), pot.radii_mm.end())};
 }
 
-// By the definition in words, and not by the exporter's own function.
+// Computed independently of the exporter.
 double clay_mm3(const PotSample& pot) {
     double sum = 0.0;
     for (const float r : pot.radii_mm)
@@ -45,7 +45,7 @@ support::ExpectedPot expected_of(const PotSample& pot) {
     expected.volume_m3 = clay_mm3(pot) * std::pow(kMetresPerMm, 3);
     expected.height_m = pot.height_mm * kMetresPerMm;
     expected.max_radius_m = max_radius_mm(pot) * kMetresPerMm;
-    // Roughness that no hand makes may be smoothed to fit the budget; its volume may not be.
+    // Artificial roughness may be smoothed to fit the triangle budget, but the volume must stay.
     if (!pot.hand_made) expected.radius_tolerance_m = expected.max_radius_m;
     return expected;
 }
@@ -116,8 +116,7 @@ TEST_P(ExportedPot, IsTheSameFileTwice) {
     EXPECT_EQ(bytes(ExportKind::kStl), bytes(ExportKind::kStl));
 }
 
-// The wall's outline as it lies in the file: the corners that stand at z = 0 on the +X side, from the base
-// up.
+// The wall's outline in the file: the vertices at z = 0 on the +X side, from the base up.
 std::vector<dvec2> outline_mm(const support::SolidMesh& mesh) {
     std::vector<dvec2> outline;
     for (const dvec3& position : mesh.positions_m) {

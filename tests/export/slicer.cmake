@@ -1,5 +1,5 @@
-# A slicer must call each pot manifold, in the number of parts it has, whether it comes as STL or as 3MF, and both as high.
-# cmake -DSLICER=program -DPOTS=folder -P slicer.cmake
+# A slicer must report each pot as manifold, with the right number of parts, from STL and from 3MF, with equal
+# heights. cmake -DSLICER=program -DPOTS=folder -P slicer.cmake
 file(GLOB pots ${POTS}/*.stl)
 if(NOT pots)
     message(FATAL_ERROR "slicer: expected pots in ${POTS}, found none")

@@ -1,5 +1,5 @@
-// Every studio pot leaves as a sound solid that holds the clay its ledger says, with its measures, at the
-// size and with the surface of its stage.
+// Every studio pot exports as a sound solid with the clay volume of its ledger, its measures, and the size
+// and surface of its stage.
 #include "game/exporter/studio_export.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using support::StudioSample;
 
 constexpr double kMetresPerMm = 1e-3;
 
-// By the definition in words: each ring is an annulus of its radii and height.
+// Computed independently: each ring is an annulus of its radii and height.
 double clay_mm3(const clay::StudioClay& pot) {
     double sum = 0.0;
     for (std::size_t i = 0; i < pot.outer_mm().size(); ++i) {
@@ -42,7 +42,7 @@ support::ExpectedPot expected_of(const StudioSample& pot) {
     expected.euler = pot.euler;
     expected.parts = pot.parts;
     if (!pot.calm) {
-        expected.min_normal_agreement = -1.0;  // what a wild hand leaves has folds
+        expected.min_normal_agreement = -1.0;  // wild hands leave folds
         expected.radius_tolerance_m = 0.6 * kMetresPerMm;
     }
     return expected;
@@ -118,7 +118,7 @@ TEST(StudioExport, IsTheSameFileTwice) {
         EXPECT_EQ(bytes_of(pot, ExportKind::kGlb), bytes_of(pot, ExportKind::kGlb)) << pot.name;
 }
 
-// Radii of the face at a height, between ring centres; -1 where rings of another kind are next to it.
+// The face's radius at a height, interpolated between ring centres; -1 next to rings of another kind.
 double radius_at(const clay::studio::Rings& rings, const std::vector<double>& column, double y_mm) {
     int low = rings.ring_at(y_mm);
     if (rings.centre_mm(low) > y_mm) --low;

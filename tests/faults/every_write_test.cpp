@@ -1,6 +1,7 @@
-// The disk fails, or the program or the power goes, at every call by which the kiosk changes something on it:
-// afterwards the kiosk starts, nothing half is shown, and what was there before is still there. All of them:
-// ONGGI_EVERY_FAULT=1, some minutes; in ./check every call meets each way to fail in turn, from deed to deed.
+// At every call by which the kiosk changes the disk, the disk fails, or the program is killed, or the power
+// is cut: afterwards the kiosk starts, shows nothing partial, and has lost nothing older. ONGGI_EVERY_FAULT=1
+// runs all combinations, some minutes; ./check gives each call one kind of fault, which varies between the
+// actions.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a child tells before its end, in memory that both see.
+// The child's report before its end, in shared memory.
 struct Told {
     long calls = 0;
     bool is_done = false;

@@ -35,7 +35,7 @@ haptic::HapticParameters parameters() {
     return found;
 }
 
-// A wheel that is thrown on in simulated time, and all that was done on it.
+// A visit in simulated time, and its history.
 struct Visit {
     explicit Visit(const fs::path& aside = {})
         : history(test::studio_start(), parameters(), {.aside = aside}) {}
@@ -57,7 +57,7 @@ struct Visit {
     haptic::History history;
 };
 
-// Thrown once; whoever is forked has it too.
+// Thrown once; forked children inherit it.
 const Visit& thrown() {
     static const auto visit = [] {
         auto made = std::make_unique<Visit>();
@@ -90,7 +90,7 @@ fs::path state_of(const fs::path& museum) {
     return app::state_folder(gallery_of(museum));
 }
 
-// Each of them says whether all of it was done.
+// Each returns whether the whole action succeeded.
 bool start(const fs::path& museum) {
     std::vector<std::string> remarks;
     app::StartKeeper starts(state_of(museum));
@@ -115,7 +115,7 @@ bool throw_with_a_journal(const fs::path& museum) {
     };
     visit.throw_until(1500);
     follow();
-    // Taken back, and on from there.
+    // Undone, and continued from there.
     const auto before = visit.history.state_at(700);
     if (!before) return false;
     visit.state = *before;
@@ -196,8 +196,7 @@ void expect_sound_gallery(const fs::path& museum, const Deed& deed, bool said_do
     }
     const bool has_new = names.contains("2026-11-25/pot-002");
     EXPECT_TRUE(names.contains("2026-11-25/pot-001"));
-    // The oldest gives way to the new one, not before it is there; and may stay where it cannot be taken
-    // away.
+    // The oldest pot is removed only after the new one is written; it may stay if it cannot be removed.
     if (is(deed, "delete a pot")) {
         EXPECT_FALSE(names.contains("2026-11-24/pot-001") && said_done) << "it was said to be gone";
     } else if (!has_new) {
@@ -261,7 +260,7 @@ void expect_sound_counts(const fs::path& museum, const Deed& deed, bool said_don
     EXPECT_GE(visits, 2 + more);
     EXPECT_GE(use.total().breaks, 2 + more);
     EXPECT_GE(use.starts, 1);
-    // What comes next is counted, whatever lies before it.
+    // A later visit is counted, whatever precedes it in the file.
     ASSERT_TRUE(app::note_visit(statistics, {.dwell_s = 77, .thrown = true, .kept = 1}, kNoonS));
     ASSERT_TRUE(app::note_attract_break(statistics, kNoonS));
     const int breaks = use.total().breaks;

@@ -1,5 +1,5 @@
-// A kiosk's folder with something of everything in it, what a kiosk does to it, and what has to be right of
-// it whatever happened to the disk meanwhile.
+// A kiosk's folder with every kind of file, the kiosk's actions on it, and the checks that must pass after
+// any fault of the disk.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace onggi::faults {
 constexpr const char* kYesterday = "2026-11-24";
 constexpr const char* kToday = "2026-11-25";
 
-// A deed of the kiosk, from its first call to its last. True: it says that it was done.
+// An action of the kiosk, from its first call to its last. Returns whether it succeeded.
 struct Deed {
     const char* name;
     std::function<bool(const std::filesystem::path&)> act;
@@ -26,8 +26,8 @@ struct Deed {
 // that was interrupted; a heartbeat.
 void lay_out(const std::filesystem::path& museum);
 
-// The kiosk starts there, finds all that lay_out() left but what the deed was to take away, shows nothing
-// half, and works. `said_done`: the deed said so, and what it did is there.
+// Checks that the kiosk starts there, finds everything that lay_out() made except what the action removes,
+// shows nothing partial, and works. `said_done`: the action reported success, so its result must be there.
 void expect_sound(const std::filesystem::path& museum, const Deed& deed, bool said_done);
 
 }  // namespace onggi::faults

@@ -25,7 +25,7 @@ struct Faults {
     long at = 0;
     long calls = 0;
     std::string failed_call{};
-    std::map<ino_t, off_t> synced{};  // of files that were written to: how much of them a power cut leaves
+    std::map<ino_t, off_t> synced{};  // for each written file, the bytes that survive a power cut
 };
 
 Faults& faults() {
@@ -38,7 +38,7 @@ Function next(const char* name) {
     return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-// What a call is about to do, for whoever reads that it failed; and whether it needs room on the disk.
+// Describes a call for the failure message, and whether it needs disk space.
 struct Call {
     std::string words;
     bool takes_room = true;
@@ -50,7 +50,7 @@ struct Call {
         ::pause();
 }
 
-// Of what was written and not synced nothing is left.
+// Discards everything that was written and not synced.
 [[noreturn]] void cut_power() {
     const std::string folder = std::exchange(faults().folder, {});
     std::error_code error;
@@ -64,7 +64,7 @@ struct Call {
     die();
 }
 
-// 0: the call goes through. An errno: it fails so. `tear` writes half.
+// Returns 0 if the call may proceed, or the errno that it fails with. `tear` writes half of the data.
 template <typename Tear>
 int meet(const Call& call, Tear&& tear) {
     Faults& state = faults();
@@ -112,7 +112,7 @@ std::string path_at(int folder, const char* path) {
     return path_of(folder) + "/" + path;
 }
 
-// Before something is written to it: what of it is safe so far.
+// Before a write: records how much of the file is synced.
 void remember(int descriptor) {
     struct stat status {};
     if (::fstat(descriptor, &status) == 0) faults().synced.try_emplace(status.st_ino, status.st_size);
@@ -123,7 +123,8 @@ void note_synced(int descriptor) {
     if (::fstat(descriptor, &status) == 0) faults().synced[status.st_ino] = status.st_size;
 }
 
-// The result of a call on a descriptor or a path below the folder: refused, or as the library gives it.
+// The result of a call on a descriptor or a path below the folder: an injected error, or the library's
+// result.
 template <typename Result, typename Do, typename Tear>
 Result either(bool is_ours, const Call& call, Do&& go_on, Tear&& tear) {
     if (is_ours) {
@@ -202,7 +203,7 @@ const std::string& failed_call() {
 
 }  // namespace onggi::faults
 
-// The C library's own entries, met and passed on.
+// Interposes the C library's functions and forwards to them.
 extern "C" {
 // NOLINTBEGIN: names and signatures are the library's
 using namespace onggi::faults;
@@ -291,7 +292,7 @@ int linkat(int from_folder, const char* from, int to_folder, const char* to, int
 }
 int mkdir(const char* path, mode_t mode) {
     static const auto real = next<int (*)(const char*, mode_t)>("mkdir");
-    // One that is there already changes nothing.
+    // An existing one changes nothing.
     if (is_there(path)) return real(path, mode);
     return on_path("make folder ", AT_FDCWD, path, [&] { return real(path, mode); });
 }

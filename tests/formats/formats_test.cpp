@@ -1,5 +1,5 @@
-// A museum's files outlive the program that wrote them: one of every version that there ever was is read by
-// this one, and what this one writes is of the newest version that has a sample.
+// Files outlive the program that wrote them: this program reads a sample of every version, and writes the
+// newest version that has a sample.
 #include <gtest/gtest.h>
 
 #include <filesystem>

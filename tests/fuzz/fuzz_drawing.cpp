@@ -1,5 +1,5 @@
-// Any bytes are what was drawn on a pot or are refused; what is accepted is written back to the byte, and
-// laid on a wall or refused by it.
+// Any bytes are refused or are a decoration, which is written back to the byte, and fits a wall or is refused
+// by it.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace onggi;  // NOLINT: one small program
 
-// A texture is large: more strokes would take long, and be no other.
+// A texture is large: more strokes would take long and add nothing.
 constexpr std::size_t kStrokesLaid = 2;
 
 bool is_refusal(const Error& error) {

@@ -1,5 +1,4 @@
-// What a fuzz target says when something that must hold does not: it ends the program, and libFuzzer keeps
-// the input.
+// Ends the program if a condition does not hold, so that libFuzzer keeps the input.
 #pragma once
 
 #include <cstdlib>

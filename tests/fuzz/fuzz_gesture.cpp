@@ -1,4 +1,4 @@
-// Any bytes are a gesture or are refused; what is accepted keeps every promise of gesture.h.
+// Any bytes are refused or are a gesture that keeps every promise of gesture.h.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::expect(ticks >= 1 && ticks <= 3600001);
     for (std::uint64_t i = 0; i <= 16; ++i) {
         const haptics::ToolState tool = gesture->at_tick((ticks - 1) * i / 16, 1000.0);
-        // Between two points of the workspace, but for the last bit.
+        // Interpolated between two points of the workspace, within rounding.
         for (const double mm : {tool.position_mm.x, tool.position_mm.y, tool.position_mm.z}) {
             fuzz::expect(std::fabs(mm) <= haptics::kWorkspaceMm * (1.0 + 1e-12));
         }

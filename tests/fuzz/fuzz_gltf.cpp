@@ -1,5 +1,5 @@
-// Any bytes are a GLB of triangles or are refused, also as two chunks of honest lengths: up to the first NUL
-// the JSON, behind it the numbers. What is accepted can be drawn.
+// Any bytes are refused or are a GLB of triangles that can be drawn; also as two chunks of correct lengths:
+// up to the first NUL the JSON, after it the numbers.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace onggi;  // NOLINT: one small program
 
-// Small, so that a file that unfolds into a giant is met by its limits, and soon.
+// Small limits, so that an expanding file reaches them soon.
 constexpr asset::GltfLimits kLimits{.max_bytes = 1 << 16,
                                     .max_vertices = 1 << 12,
                                     .max_triangles = 1 << 12,

@@ -1,5 +1,5 @@
-// Any bytes as messages of a haptic service: the session goes on or refuses, the tool's place stays finite
-// and what is said back stays one line. Each message is two bytes of length and its bytes.
+// Any bytes as messages of a haptic service: the session continues or refuses, the tool's position stays
+// finite and the answer stays one line. Each message is two bytes of length and its bytes.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Any two texts, parted by a zero byte, are a table of targets with outlines or are refused; what is accepted
-// keeps every promise of target.h.
+// Any two texts, separated by a zero byte, are refused or are a table of targets with outlines that keeps
+// every promise of target.h.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

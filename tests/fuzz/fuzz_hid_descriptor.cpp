@@ -1,5 +1,5 @@
-// Any bytes are a report descriptor or are refused; what is accepted keeps every promise of
-// report_descriptor.h, and a joystick found in it can be spoken to without leaving a report.
+// Any bytes are refused or are a report descriptor that keeps every promise of report_descriptor.h; output to
+// a joystick found in it stays within its reports.
 #include <cstddef>
 #include <cstdint>
 

@@ -1,6 +1,5 @@
-// Any bytes as reports of any device: the tool they move is finite and stays within its reach, and what the
-// device is told stays within a report. Byte 0 chooses the device; then each report is a length and its
-// bytes.
+// Any bytes as reports of any device: the tool's position is finite and within its reach, and output stays
+// within a report. Byte 0 chooses the device; then each report is a length and its bytes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +19,7 @@ namespace {
 using namespace onggi;                // NOLINT: one program
 using namespace onggi::haptics::hid;  // NOLINT
 
-// Takes everything; answers features with the bytes it was given.
+// Accepts everything; answers feature requests with the given bytes.
 class WillingPort final : public HidPort {
   public:
     explicit WillingPort(std::span<const std::uint8_t> answer) : answer_(answer) {}
@@ -31,7 +30,7 @@ class WillingPort final : public HidPort {
     }
     Result<void> set_feature(std::span<const std::uint8_t> report) override { return write(report); }
     Result<std::size_t> get_feature(std::span<std::uint8_t> report) override {
-        // Mostly a good answer, so that the session goes on; at times whatever came.
+        // Usually a good answer, so that the session continues; sometimes the input's bytes.
         if (answer_.size() % 4 == 3) {
             const std::size_t size = std::min(report.size(), answer_.size());
             std::copy_n(answer_.begin(), size, report.begin());
@@ -91,7 +90,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::size_t length = std::min<std::size_t>(bytes[0] % (kMaxReportBytes + 1), bytes.size() - 1);
         driver->take_report(bytes.subspan(1, length), now_ns);
         if (device.bus == haptics::HidBusType::kBluetooth) {
-            // No fuzzer guesses a checksum: the same bytes once more, as a whole report.
+            // A fuzzer cannot guess a checksum, so the same bytes are also used as a complete report.
             std::array<std::uint8_t, kMaxReportBytes> whole{0x31};
             std::copy_n(bytes.begin() + 1, std::min<std::size_t>(length, 73), whole.begin() + 1);
             const std::uint32_t checksum = radio_checksum(kInputSeed, std::span(whole).first(74));

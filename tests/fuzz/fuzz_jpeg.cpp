@@ -1,4 +1,4 @@
-// Any bytes are a JPEG or are refused; what is accepted has as many bytes as its size says.
+// Any bytes are refused or are a JPEG with as many bytes as its size requires.
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,5 +1,5 @@
-// Any bytes are a kiosk's settings or are refused in one line that names the place; what is accepted keeps
-// every bound of config.h.
+// Any bytes are refused in one line with the location, or are a kiosk's settings within every bound of
+// config.h.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

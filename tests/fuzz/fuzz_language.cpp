@@ -1,5 +1,5 @@
-// Any bytes are a language's table or are refused in one line that names the place; what is accepted has
-// words for every key. The first byte says whether English is the pattern.
+// Any bytes are refused in one line with the location, or are a language's table with a text for every key.
+// The first byte selects whether English is the reference.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Any bytes are a session or are refused, also behind honest checksums; what is accepted can be played.
+// Any bytes are refused or are a session that can be played, also with corrected checksums.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

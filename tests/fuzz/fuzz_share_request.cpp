@@ -1,5 +1,5 @@
-// Any bytes are a request: a method, a target and four headers, a line each. What is answered keeps to the
-// folder of a code; ranges stay inside their file.
+// Any bytes are a request: a method, a target and four headers, one per line. Answers stay in the folder of a
+// code; ranges stay inside their file.
 #include <array>
 #include <cstddef>
 #include <cstdint>

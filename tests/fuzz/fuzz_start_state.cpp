@@ -1,4 +1,4 @@
-// Any bytes are a start state or are refused; what is accepted comes back to the byte, and can be ticked.
+// Any bytes are refused or are a start state that is written back to the byte and can be ticked.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const double x_mm = 80.0 - tick;
         haptics::ToolState tool{
             .position_mm = {x_mm, 5.0 * tick, 1.0}, .radius_mm = 10.0, .wheel_button = tick % 4 != 0};
-        // What only the studio's clay hears; the paper's is not told.
+        // Used by the studio's clay only.
         tool.tool = static_cast<haptics::ToolKind>(tick % 4);
         tool.assist_gap_mm = tick % 3 == 0 ? 5.0 : 0.0;
         tool.water = 0.5;

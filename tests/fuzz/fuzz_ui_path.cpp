@@ -1,5 +1,4 @@
-// Any words are a drawing's path or are refused with the letter; what is accepted begins with a move and has
-// finite places.
+// Any text is refused with the offending letter, or is a path that begins with a move and has finite points.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

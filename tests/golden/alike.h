@@ -1,4 +1,4 @@
-// How far pictures that should be alike may be apart, and what they are drawn with for that. Plain values.
+// Tolerances for comparing pictures, and the settings to draw them with. Plain values.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,7 @@
 
 namespace onggi::golden {
 
-// How far two pictures of eight bits a channel are apart, and in how many of their pixels by more than that
-// would be said to be alike.
+// The difference of two 8-bit pictures, and the number of pixels beyond the tolerance.
 struct Apart {
     int worst = 0;
     std::size_t worst_at = 0;  // the pixel
@@ -33,18 +32,18 @@ inline Apart apart(std::span<const std::uint8_t> a, std::span<const std::uint8_t
     return found;
 }
 
-// The processor and the device place the corners of triangles alike to 1/256 of a pixel, but not to the last
-// bit: a pixel whose middle lies on an edge may show what is on either side.
+// The CPU and the device agree on vertices to 1/256 of a pixel, but not to the last bit: a pixel whose centre
+// lies on an edge may belong to either side.
 constexpr int kOnEdges = 12;
 
-// Of what the processor draws itself: a pixel whose middle lies on the border of two texels of streaks may
-// show either, which differ by little.
+// For the CPU's own rasteriser: a pixel whose centre lies on the border of two streak texels may show either;
+// they differ little.
 constexpr int kOnTexels = 64;
 constexpr int kTexelsApart = 16;  // levels, at most
 
-// What either backend draws alike to the pixel but for rounding: one sample, the same outlines, no smoothing
-// of them, and streaks of one texel, for how texels are read is the one thing in which they are meant to
-// differ; hands too, which the processor lights at their corners.
+// Settings with which both backends agree to the pixel, apart from rounding: one sample, the same silhouettes
+// without smoothing, streaks of one texel (texture filtering differs by design), and no hands, which the CPU
+// lights per vertex.
 inline render::RendererDesc strictly_alike(render::Backend backend, int height_px) {
     render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, height_px);
     desc.backend = backend;
@@ -53,13 +52,13 @@ inline render::RendererDesc strictly_alike(render::Backend backend, int height_p
     return desc;
 }
 
-// Of moving pictures.
+// The size of moving pictures.
 constexpr int kWidth = 640;
 constexpr int kHeight = 360;
 constexpr double kFrameS = 1.0 / 60.0;
 
-// A texel of the shadow mask may stay one step of 255 from where it should be: of light, of which dark clay
-// shows three in the picture.
+// A texel of the shadow mask may be off by one step of 255 of linear light, which is up to three levels of
+// dark clay in the picture.
 constexpr int kMaskStep = 3;
 
 }  // namespace onggi::golden

@@ -1,5 +1,5 @@
-// The processor's backend puts the picture together from layers that it keeps and draws the pot itself, the
-// Vulkan backend has the device draw everything: the same pot must look the same in both.
+// The CPU backend composes the picture from kept layers and rasterises the pot itself; the Vulkan backend
+// draws everything on the device. The same pot must look the same in both.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ using render::Backend;
 
 enum class Drawn { kClay, kLoad, kNoClay };
 
-// How wide a line of the load's hatch is a shader finds out from two pixels by two, the processor at each.
+// A shader derives the width of the load's hatch lines for each 2x2 quad, the CPU for each pixel.
 constexpr int kOnHatch = 2 * kOnTexels;
 
 void expect_alike(const asset::Image& vulkan, const asset::Image& cpu, int most_levels,
@@ -40,10 +40,10 @@ void expect_alike(const asset::Image& vulkan, const asset::Image& cpu, int most_
     EXPECT_LE(apart(vulkan.rgba, cpu.rgba, kTexelsApart).beyond, has_clay ? kOnEdges : 0);
 }
 
-// Of a channel.
+// The mean difference per channel.
 constexpr double kMostInTheMean = 0.6;
 constexpr int kOneInPixels = 150;  // may be farther apart than kTexelsApart
-// Named: grooves as fine as a pixel, which the processor draws by fewer rings, and what a rib leaves of them.
+// Exceptions by name: grooves as fine as a pixel, which the CPU draws with fewer rings, also after a rib.
 constexpr int kOneInPixelsOfGrooves = 110;
 int one_in_pixels(const GoldenScene& scene) {
     return scene.name == "rough-grooves" || scene.name == "rib" ? kOneInPixelsOfGrooves : kOneInPixels;
@@ -77,13 +77,13 @@ class Backends : public support::ValidatedDevice, public testing::WithParamInter
         if (GetParam().name == "empty-wheel") return Drawn::kNoClay;
         return GetParam().name == "load" ? Drawn::kLoad : Drawn::kClay;
     }
-    // The last of some frames. The processor has the still life drawn for the first of them, and shades it
-    // for those after it only where something has changed.
+    // Returns the last of several frames. The CPU backend renders the background for the first one, and later
+    // shades it only where something has changed.
     asset::Image draw(wheel::WheelScene& wheel_scene, const GoldenScene& scene, Backend backend,
                       int frames = 1, const render::LightLevels& levels = {}) {
         return draw(wheel_scene, scene, strictly_alike(backend, scene.height), frames, levels);
     }
-    // From where the scene is seen, at once.
+    // Sets the scene's camera at once.
     static void aim(wheel::WheelScene& wheel_scene, const GoldenScene& scene) {
         wheel_scene.look_at(scene.view == wheel::StillView::kLookingIn ? wheel::View::kLookingIn
                                                                        : wheel::View::kThrowing);
@@ -97,7 +97,7 @@ class Backends : public support::ValidatedDevice, public testing::WithParamInter
         auto target = vk::Offscreen::create(
             *device_, {static_cast<std::uint32_t>(scene.width), static_cast<std::uint32_t>(scene.height)});
         for (int frame = 0; frame < frames; ++frame) {
-            // Something else first, so that what is left of it would show.
+            // Draw something else first, so that leftovers would show.
             GoldenScene shown = scene;
             if (frame + 1 < frames) {
                 for (float& radius : shown.pot.outer_mm)
@@ -123,8 +123,7 @@ TEST_P(Backends, AgreeOnTheWorkshopWithinFourLevelsOfEightBits) {
     const asset::Image vulkan = draw(*opened.scene, GetParam(), Backend::kVulkan);
     // A level of a bright layer is two of the penumbra that is mixed from it and from a dark one.
     expect_alike(vulkan, draw(*opened.scene, GetParam(), Backend::kCpu), 4, drawn());
-    // Where the shade hardly changes it stays as it is, a step of its mask off at most: two levels in the
-    // dark.
+    // Where the shade hardly changes it is kept, at most one step of its mask off: two levels in the dark.
     expect_alike(vulkan, draw(*opened.scene, GetParam(), Backend::kCpu, 3), 6, drawn());
 }
 
@@ -144,9 +143,9 @@ TEST_P(Backends, AgreeOnTheStillLifeWithinTwoLevelsOfEightBits) {
         expect_alike(vulkan, draw(scene, GetParam(), Backend::kCpu, frames), 2, drawn());
 }
 
-// What ships: the picture of the kiosk on one software core, outlines smoothed, beside that of the lowest GPU
-// that draws in full size and beside a still. Each reads streaks and lights hands in its own way; what they
-// may differ by is little in the mean and seldom much.
+// The shipped settings: the kiosk's picture on one software core, with smoothed silhouettes, against that of
+// the lowest full-size GPU step and against a still. They filter streaks and light hands differently; the
+// mean difference must be small and large ones rare.
 class BackendsAsTheyShip : public Backends {};
 TEST_P(BackendsAsTheyShip, AgreeWithinSixTenthsOfALevelInTheMean) {
     wheel::OpenedScene opened = wheel::open_scene({}, GetParam().width, GetParam().height);
@@ -168,8 +167,8 @@ TEST_P(BackendsAsTheyShip, AgreeWithinSixTenthsOfALevelInTheMean) {
     }
 }
 
-// The lowest steps of a GPU draw three quarters and half of the pixels each way and stretch them: softer, and
-// in its place.
+// The lowest GPU steps render at three quarters and half of the size and scale up: softer, but at the same
+// position.
 TEST_P(Backends, AgreeWithSmallerPicturesThatAreStretchedInTheMean) {
     wheel::OpenedScene opened = wheel::open_scene({}, GetParam().width, GetParam().height);
     ASSERT_EQ(opened.lack, "");

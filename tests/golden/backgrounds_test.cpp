@@ -1,5 +1,5 @@
-// Photographs that come and go: a window that changes its shape drops those of the other shape, and nothing
-// of them may stay behind where they are drawn from. Those that may be seen soon come beside frames.
+// Loading and dropping photographs: a window that changes its aspect drops those of the other aspect, and
+// nothing may keep drawing from them. Those that may be needed soon are loaded beside the frames.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -83,13 +83,13 @@ TEST_F(Backgrounds, AreShownAgainAfterTheyWereDropped) {
         const auto here = grey_background(60);
         const int first = drawn(here);
         EXPECT_FALSE(here->photographs->are_here()) << "they lie where they are drawn from";
-        // What was freed is something else now.
+        // The freed memory has been reused.
         EXPECT_GT(drawn(grey_background(120)), first + 30);
         EXPECT_EQ(drawn(here), first);
     }
 }
 
-// A strip a frame: a frame that brings all of a photograph would be late.
+// One strip per frame: uploading a whole photograph in one frame would make it late.
 TEST_F(Backgrounds, AreReadyWhenTheirLastRowIsOnTheDevice) {
     make_renderer(render::Backend::kVulkan);
     const auto here = grey_background(60);
@@ -107,7 +107,7 @@ TEST_F(Backgrounds, AreReadyWhenTheirLastRowIsOnTheDevice) {
     EXPECT_GT(drawn(there), alone + 60);
 }
 
-// What the processor shaded in a large picture is no part of a small one that looks past the shadow.
+// Shading of a large picture must not appear in a small one whose view excludes the shadow.
 TEST_F(Backgrounds, AreNotShadedByWhatWasSeenInALargerPicture) {
     render::Scene scene;
     scene.camera = camera();

@@ -42,7 +42,7 @@ pot::Pot studio_pot(const StudioShape& shape) {
                       outer - shape.wall_mm(y) + 0.7 * shape.rings_mm * throwing_rings(y * 0.87 + 11.0), 1.0))
                 : 0.0F);
         pot.top_mm.push_back(static_cast<float>(next));
-        // The foot stands in what ran down, the rim has dried a little.
+        // The foot is wetter from water that ran down, the rim drier.
         const double wet = shape.liquidity * (1.15 - 0.3 * fraction);
         pot.liquidity.push_back(static_cast<float>(wet));
         pot.film.push_back(static_cast<float>(shape.film * (1.1 - 0.4 * fraction)));

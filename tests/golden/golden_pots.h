@@ -1,5 +1,5 @@
-// Pots of the studio's clay for the golden pictures, drawn by formula: whatever the clay learns to do, the
-// picture of these stays what it is. Any thread; mm.
+// Pots of the studio's clay for the golden pictures, computed by formula, so that changes of the clay model
+// do not change the pictures. Any thread; mm.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace onggi::golden {
 
-// What a pot is made from: by height, mm.
+// The shape of a pot by height, mm.
 struct StudioShape {
     double height_mm = 150.0;
     double floor_mm = 9.0;
@@ -42,7 +42,7 @@ struct StudioShape {
 void press_dent(pot::Pot& pot, double y_mm, double direction_rad, double depth_mm, double width_mm);
 // The pot leans: its top stands off the axis.
 void lean(pot::Pot& pot, double x_mm, double z_mm);
-// What gave way: a belly that sank and bulged to one side, and the load that did it.
+// A collapsed pot: a belly that sank and bulged to one side, and the load that caused it.
 void slump(pot::Pot& pot);
 
 }  // namespace onggi::golden

@@ -21,7 +21,7 @@ pot::Pot paper_pot(Outline outline) {
     return pot;
 }
 
-// The same of another body, or further on.
+// The same with another clay body or stage.
 pot::Pot pot_of(const StudioShape& shape, clay::ClayBody body, clay::Firing stage = clay::Firing::kWet) {
     pot::Pot pot = studio_pot(shape);
     pot.body = body;
@@ -37,7 +37,7 @@ double vase(double y) {
     return 30.0 + 26.0 * bump(y, 70.0, 52.0) + 12.0 * bump(y, 205.0, 26.0) + finer_rings(y);
 }
 
-// A sphere of 16 mm pressed 9 mm deep into a straight wall, and the trace of it higher up.
+// A sphere of 16 mm pressed 9 mm deep into a straight wall, and its trace higher up.
 double pressed(double y) {
     const double off = y - 95.0;
     const double dent = std::abs(off) < 16.0 ? 60.0 - 9.0 + 16.0 - std::sqrt(16.0 * 16.0 - off * off) : 60.0;
@@ -66,7 +66,7 @@ GoldenScene drawn_pot(const char* name, const StudioShape& shape, const char* gl
     return scene;
 }
 
-// Each way of drawing, each under another glaze; in front is three quarters of a turn.
+// Each drawing technique, each under another glaze; the front is at three quarters of a turn.
 std::vector<GoldenScene> drawn_scenes() {
     using decoration::Motif;
     using decoration::Technique;
@@ -305,7 +305,7 @@ std::vector<GoldenScene> move_scenes() {
     };
 }
 
-// What goes wrong, and the wire.
+// Collapsed pots, and the cutting wire.
 std::vector<GoldenScene> mishap_scenes() {
     pot::Pot uneven_rim = studio_pot(cylinder());
     lean(uneven_rim, 3.0, 1.0);

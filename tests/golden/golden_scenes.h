@@ -1,4 +1,4 @@
-// The pots whose pictures are kept: each shows what another could hide. Any thread; mm.
+// The pots of the golden pictures: each shows a feature that another could hide. Any thread; mm.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@
 
 namespace onggi::golden {
 
-// What was drawn on a pot, and what it wears over it.
+// The decoration on a pot, and the glaze over it.
 struct DrawnPot {
-    std::optional<render::LatheMaterial> material;  // none: its clay's own
+    std::optional<render::LatheMaterial> material;  // empty: its clay's own
     look::DressedMarks marks;
 };
 
@@ -32,7 +32,7 @@ struct GoldenScene {
     bool tool_shown = true;
     std::optional<dvec3> second_hand_mm = std::nullopt;
     clay::StudioTool tool = clay::StudioTool::kHand;
-    std::optional<clay::studio::Side> side = std::nullopt;  // of the hand; without: outside
+    std::optional<clay::studio::Side> side = std::nullopt;  // side of the hand; default: outside
     std::optional<double> wire_height_mm = std::nullopt;    // drawn through the clay there
     dvec2 wheel_direction{1.0, 0.0};
     int contacts = 0;
@@ -41,16 +41,16 @@ struct GoldenScene {
 
     // Refers to this scene.
     [[nodiscard]] wheel::WheelView shown() const;
-    // Of all that the picture shows.
+    // A hash of everything that the picture shows.
     [[nodiscard]] std::uint64_t hash() const;
 
-    // What GoogleTest prints of it.
+    // Printed by GoogleTest.
     friend std::ostream& operator<<(std::ostream& out, const GoldenScene& scene) { return out << scene.name; }
 };
 
 // Made once: drawing on them takes its time.
 [[nodiscard]] const std::vector<GoldenScene>& golden_scenes();
-// One of them; without a name if there is none.
+// The scene of that name; its name is empty if there is none.
 [[nodiscard]] GoldenScene scene_named(std::string_view name);
 // As GoogleTest wants it: letters, digits and underscores.
 [[nodiscard]] std::string test_name(const GoldenScene& scene);

@@ -1,4 +1,4 @@
-// The live picture copies only what a target does not show already: what was drawn there before must be gone.
+// The live picture redraws only the dirty parts of a target: earlier content must be gone.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -50,7 +50,7 @@ class HeldPicture : public support::ValidatedDevice {
         shown.tool_position_mm.y += lift_mm;
         const auto drawn = renderer.draw(scene_of(shown), target, &overlay);
         ASSERT_TRUE(drawn && *drawn);
-        ASSERT_TRUE(target.wait());  // a renderer has one frame on its way
+        ASSERT_TRUE(target.wait());  // a renderer has one frame in flight
     }
     static int furthest(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
         return apart(a, b, 0).worst;
@@ -74,7 +74,7 @@ TEST_F(HeldPicture, LacksNothingOfHandsWhoseHiddenFacesAreLeftOut) {
     for (const wheel::View view : {wheel::View::kThrowing, wheel::View::kLookingIn}) {
         opened_.scene->look_at(view);
         opened_.scene->jump();
-        // The inner hand from above the rim, where all of it is seen, to deep inside.
+        // The inner hand from above the rim, where it is fully visible, to deep inside.
         for (int frame = 0; frame < kFrames; ++frame) {
             pulling_.second_hand_mm->y = 120.0 - 8.0 * frame;
             draw(*chooses, *one, 0.0, 500.0F);
@@ -122,8 +122,8 @@ TEST_F(HeldPicture, ShowsEachOfTwoTargetsWhole) {
     EXPECT_EQ(furthest(left->read_back().value(), right->read_back().value()), 0);
 }
 
-// A box, a polygon, a line and a picture, over what moves and beside it. The device shades a box as two
-// triangles, the processor from side to side: the same as long as the corners lie in a plane.
+// A box, a polygon, a line and a picture, over moving parts and beside them. The device shades a box as two
+// triangles, the CPU from edge to edge: the same if the corner colours are coplanar.
 ui::DrawList sample_list(float alpha) {
     ui::DrawList list;
     const ui::Colour ink{.r = 0.1F, .g = 0.2F, .b = 0.9F, .a = alpha};
@@ -148,7 +148,7 @@ constexpr int kAtlasSidePx = 64;
 
 TEST_F(HeldPicture, ShowsTheOverlayAsTheDeviceDrawsIt) {
     const auto uploads = sample_picture();
-    shows_hands_ = false;  // which the processor lights at their corners
+    shows_hands_ = false;  // which the CPU lights per vertex
     auto painting =
         render::Renderer::create(*device_, strictly_alike(render::Backend::kCpu, kHeight)).value();
     auto plain =
@@ -164,7 +164,7 @@ TEST_F(HeldPicture, ShowsTheOverlayAsTheDeviceDrawsIt) {
             .atlas_side_px = kAtlasSidePx};
         draw(*plain, *wanted, frame, overlay);
         draw(*painting, *shown, frame, overlay);
-        // The shade by the processor is a step off at most, and so is each colour laid over another.
+        // The CPU's shade is off by at most one step, and so is each blended colour.
         const Apart found = apart(wanted->read_back().value(), shown->read_back().value(), 6);
         EXPECT_LE(found.beyond, kOnEdges) << frame << ": " << found.worst;
     }
@@ -217,7 +217,7 @@ TEST_F(HeldPicture, SaysWhatTheHostAndTheDeviceTook) {
     EXPECT_EQ(parts.size(), 4U);
 }
 
-// The first frame of a screen that is about to fade away still shows nothing but it.
+// The first frame of a screen's fade-out still shows only the screen.
 TEST_F(HeldPicture, ComesFromUnderAScreenThatCoveredIt) {
     ui::DrawList wall;
     wall.add_box({.x = 0.0F, .y = 0.0F, .width = kWidth, .height = kHeight}, {.g = 0.5F});
@@ -255,7 +255,7 @@ TEST_F(HeldPicture, RestsInARenderersFirstFrames) {
     EXPECT_GT(furthest(shown->read_back().value(), wanted), 20) << "it moves on";
 }
 
-// Whatever has changed while nobody saw it is drawn by then.
+// Changes under the opaque screen are drawn by then.
 TEST_F(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
     ui::DrawList wall;
     wall.add_box({.x = 0.0F, .y = 0.0F, .width = kWidth, .height = kHeight}, {.g = 0.5F});

@@ -1,5 +1,5 @@
-// What a visitor sees where the processor is the device: the picture of the processor's backend, outlines
-// smoothed, as the quality ladder asks for it on one core, against the one that was looked at.
+// The picture on a machine without a GPU: the CPU backend with smoothed silhouettes, at the quality step for
+// one core, against the approved picture.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ TEST_P(LivePictures, EqualTheOnesThatWereLookedAt) {
     EXPECT_TRUE(support::matches_golden(GetParam().name, draw_live(*device_, GetParam(), desc), info));
 }
 
-// A wet lump, hands at work, a bowl, a steep wall, a wall that is looked into, one that fell, one that is cut
-// and shows its load, a glazed one, and evening.
+// A wet lump, hands at work, a bowl, a steep wall, a view into a pot, a collapsed one, one that is cut and
+// shows its load, a glazed one, and evening.
 INSTANTIATE_TEST_SUITE_P(OfThePot, LivePictures,
                          testing::Values(LiveScene{"live-centring", "centring"},
                                          LiveScene{"live-pulling", "pulling"}, LiveScene{"live-bowl", "wide"},

@@ -1,4 +1,4 @@
-// Moving pictures that are kept, and how one of them is drawn. Main thread.
+// The golden moving pictures, and how to draw them. Main thread.
 #pragma once
 
 #include <ostream>
@@ -17,24 +17,24 @@ struct LiveScene {
     std::string name;
     std::string pot;  // one of the golden scenes
     double evening = 0.0;
-    bool fades = false;  // the other view has half faded in
+    bool fades = false;  // halfway through a cross-fade to the other view
     bool has_overlay = false;
 
     friend std::ostream& operator<<(std::ostream& out, const LiveScene& scene) { return out << scene.name; }
 };
 
-// The third of three frames: in the first the room is made, in the others what has changed is laid over. One
-// that fades: as many more as it takes.
+// Returns the third of three frames: the first renders the room, the others draw the changes over it. A
+// fading scene takes as many more frames as it needs.
 [[nodiscard]] asset::Image draw_live(vk::Device& device, const LiveScene& scene,
                                      const render::RendererDesc& desc);
 
-// Every kind of thing that an overlay draws: glass, a line, a convex shape and a picture of its atlas.
+// Every kind of overlay element: glass, a line, a convex shape and a picture of its atlas.
 class SampleOverlay {
   public:
     SampleOverlay();
     SampleOverlay(const SampleOverlay&) = delete;
     SampleOverlay& operator=(const SampleOverlay&) = delete;
-    // Brings its picture the first time it is asked for.
+    // The first call uploads its picture.
     [[nodiscard]] render::Overlay next();
 
   private:

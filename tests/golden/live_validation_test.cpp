@@ -1,6 +1,6 @@
 // The moving picture of every scene, kept layers and all, under the validation layer with synchronization
-// validation: sizes that change with every frame, a camera on its way, an evening that falls, an overlay, and
-// devices that are lost. Not a word is heard.
+// validation: sizes that change with every frame, a moving camera, changing light, an overlay, and lost
+// devices. There must be no message.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,7 +23,7 @@ wheel::View view_of(const GoldenScene& scene) {
 
 using support::ValidatedDevice;
 
-TEST_F(ValidatedDevice, IsPleasedByTheLivePictureOfEverySceneThroughAStormOfSizes) {
+TEST_F(ValidatedDevice, ReportsNothingForAnySceneWhileTheSizeChanges) {
     auto renderer =
         render::Renderer::create(*device_, render::live_desc(vk::Offscreen::kFormat, true, 240)).value();
     wheel::OpenedScene opened = wheel::open_scene({}, 320, 240);
@@ -44,7 +44,7 @@ TEST_F(ValidatedDevice, IsPleasedByTheLivePictureOfEverySceneThroughAStormOfSize
             auto target = vk::Offscreen::create(*device_, extent).value();
             const auto width = static_cast<int>(extent.width);
             const auto height = static_cast<int>(extent.height);
-            // With the layers as they are, with others, and with those that the processor has read back.
+            // With the same layers, with new ones, and with those that the CPU has read back.
             for (int frame = 0; frame < 4; ++frame) {
                 const auto drawn = renderer->draw(opened.scene->apply(scene.shown(), width, height, kFrameS),
                                                   *target, &overlay);
@@ -57,7 +57,7 @@ TEST_F(ValidatedDevice, IsPleasedByTheLivePictureOfEverySceneThroughAStormOfSize
     }
 }
 
-TEST(LivePicture, PleasesItAsWellAfterEachOfItsDevicesWasLost) {
+TEST(LivePicture, CausesNoMessageAfterEachDeviceLoss) {
     auto view = wheel::LiveView::open({.width = 200,
                                        .height = 150,
                                        .headless = true,
@@ -69,7 +69,7 @@ TEST(LivePicture, PleasesItAsWellAfterEachOfItsDevicesWasLost) {
     for (const GoldenScene& scene : golden_scenes()) {
         const bool loses = number++ % 12 == 6;
         if (loses) {
-            // Frames enough that it is another trouble and not the same one again.
+            // Enough frames to count as a new failure, not a repeated one.
             for (int frame = 0; frame < 60; ++frame)
                 ASSERT_TRUE((*view)->draw(scene.shown(), kFrameS));
             (*view)->device_health().inject({.call = "vkQueueSubmit2", .result = VK_ERROR_DEVICE_LOST});
@@ -77,7 +77,8 @@ TEST(LivePicture, PleasesItAsWellAfterEachOfItsDevicesWasLost) {
         }
         (*view)->look_at(view_of(scene));
         for (int frame = 0; frame < 2; ++frame) {
-            const auto drawn = (*view)->draw(scene.shown(), kFrameS);  // an error if there is a word
+            const auto drawn =
+                (*view)->draw(scene.shown(), kFrameS);  // an error if the layer reports anything
             ASSERT_TRUE(drawn) << scene.name << ": " << drawn.error().message;
             EXPECT_TRUE(*drawn) << scene.name;
         }

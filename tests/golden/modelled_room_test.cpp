@@ -1,4 +1,4 @@
-// A room that was modelled and not photographed, as a GPU draws it: what stands still casts its shadows once.
+// A modelled room, without photographs, as a GPU draws it: static objects render their shadows once.
 #include <gtest/gtest.h>
 
 #include "engine/render/quality.h"
@@ -36,7 +36,7 @@ class ModelledRoomTest : public support::ValidatedDevice {
     // The room in that light, and the pot on its wheel.
     std::vector<std::uint8_t> draw(render::Renderer& renderer, double evening) {
         opened_.scene->set_evening(evening);
-        // The light has changed by then, and hands are where they go.
+        // By then the light has changed and the hands have arrived.
         constexpr double kSettledS = 5.0;
         static_cast<void>(opened_.scene->apply(shown_.shown(), kRoomWidth, kRoomHeight, kSettledS));
         const render::Scene scene = opened_.scene->apply(shown_.shown(), kRoomWidth, kRoomHeight, 0.0);

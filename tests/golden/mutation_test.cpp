@@ -1,5 +1,4 @@
-// The gate held against real pictures that are wrong by as little as must be seen: a gate that lets these
-// through protects nothing.
+// The golden gate must reject real pictures with the smallest errors that matter.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -30,7 +29,7 @@ class Gate : public testing::Test {
         options_.bless.clear();
     }
 
-    // The jar on the wheel, after something was changed about it.
+    // The jar on the wheel, after a change.
     asset::Image draw(const std::function<void(pot::Pot&)>& change_pot = {},
                       const std::function<void(render::Scene&)>& change_scene = {}, bool inside_out = false) {
         pot::Pot pot = studio_pot(jar());

@@ -1,4 +1,4 @@
-// Every scene against its stored picture; the same scene twice; and no word from the validation layer.
+// Every scene against its stored picture; the same scene twice; and no message from the validation layer.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ support::RenderInfo render_info(const GoldenScene& scene) {
     return {};
 }
 
-// All pictures of one size are taken by one camera: what they have in common is most of the work.
+// All pictures of one size share a renderer, because most of the work is common.
 class Picture : public testing::TestWithParam<GoldenScene> {
   protected:
     static void TearDownTestSuite() {

@@ -1,6 +1,5 @@
-// Another view fades in over the last picture of the one before: which pictures that gives with either
-// backend, and that nothing else is in them. Where the processor keeps what stands still, it is made beside
-// frames of the view before.
+// A cross-fade from the last picture of one view to another view: both backends show exactly the mix. The CPU
+// backend renders the new view's static layers beside frames of the old view.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +22,7 @@ namespace {
 constexpr int kMostFramesToMake = 12;
 using Pixels = std::vector<std::uint8_t>;
 
-// How far a picture is from the mix of two others, levels of 255.
+// The difference of a picture from the mix of two others, levels of 255.
 int off_the_mix(const Pixels& shown, const Pixels& from, const Pixels& to, float fraction) {
     int worst = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -66,14 +65,14 @@ class ViewChangeTest : public support::ValidatedDevice {
         EXPECT_TRUE(drawn && *drawn);
         return into.target->read_back().value();
     }
-    // The next frame: the hand moves, and what is ready is shown.
+    // Draws the next frame: the hand moves, and a finished view is shown.
     void next(const render::Overlay* overlay = nullptr) {
         shown_.tool_position_mm.y += 1.0;
         scene_ = opened_.scene->apply(shown_.shown(), kWidth, kHeight, kFrameS);
         picture_ = draw(fading_, scene_, overlay);
         if (fading_.renderer->stats().next_view_ready) opened_.scene->next_view_is_ready();
     }
-    // Until the camera is cut. The picture before that is kept.
+    // Draws frames until the camera changes. Keeps the last picture before that.
     void go_to(wheel::View view, const render::Overlay* overlay = nullptr) {
         opened_.scene->look_at(view);
         const render::Camera before = scene_.camera;
@@ -83,7 +82,7 @@ class ViewChangeTest : public support::ValidatedDevice {
         }
         ASSERT_FALSE(scene_.camera == before);
     }
-    // This frame's scene as who knows of no other view draws it.
+    // This frame's scene drawn without any view change.
     [[nodiscard]] Pixels alone() const {
         render::Scene scene = scene_;
         scene.fade_in.reset();
@@ -101,7 +100,7 @@ class ViewChangeTest : public support::ValidatedDevice {
     Pixels last_;
 };
 
-// On the processor's backend, and on the Vulkan one into the target and into a picture of half its size.
+// With the CPU backend, and with the Vulkan one at full and at half size.
 class ViewChange : public ViewChangeTest, public testing::WithParamInterface<render::QualityStep> {
   protected:
     void SetUp() override {
@@ -119,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(On, ViewChange,
                              return name;
                          });
 
-// Of the processor's backend.
+// CPU backend only.
 class KeptViewChange : public ViewChangeTest {};
 
 TEST_F(KeptViewChange, IsMadeInPartsWhileTheViewBeforeGoesOn) {
@@ -165,8 +164,8 @@ TEST_P(ViewChange, EndsItsFadeBeforeItIsCalledBack) {
     EXPECT_LE(off_the_mix(picture_, last_, alone(), *scene_.fade_in), kMaskStep);
 }
 
-// A picture whose size has changed and changed back is no picture of what was kept before.
-TEST_P(ViewChange, IsMadeAnewAfterOtherSizes) {
+// After the size has changed and changed back, kept layers are invalid.
+TEST_P(ViewChange, IsRenderedAgainAfterOtherSizes) {
     go_to(wheel::View::kLookingIn);
     while (scene_.fade_in)
         next();
@@ -179,12 +178,12 @@ TEST_P(ViewChange, IsMadeAnewAfterOtherSizes) {
     EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep);
 }
 
-// What lay over the last picture is no part of it.
+// The overlay over the last picture must not be part of the fade.
 TEST_P(ViewChange, LeavesNothingOfTheOverlayBehind) {
     ui::DrawList list;
     list.add_box({.x = 200.0F, .y = 90.0F, .width = 240.0F, .height = 180.0F}, {.r = 1.0F, .a = 0.8F});
     const render::Overlay box{.list = &list, .atlas_side_px = 64};
-    // Sees the same scenes, and never an overlay.
+    // Draws the same scenes without any overlay.
     Drawn bare = make();
     opened_.scene->look_at(wheel::View::kLookingIn);
     for (int frame = 0; !scene_.fade_in; ++frame) {
@@ -197,7 +196,7 @@ TEST_P(ViewChange, LeavesNothingOfTheOverlayBehind) {
     EXPECT_LE(apart(picture_, draw(bare, scene_), 0).worst, kMaskStep);
 }
 
-TEST_P(ViewChange, IsCutForWhoAskedForLessMotionWhenItIsReady) {
+TEST_P(ViewChange, IsCutWithReducedMotionWhenItIsReady) {
     opened_.scene->move_less(true);
     go_to(wheel::View::kLookingIn);
     EXPECT_NE(fading_.renderer->stats().still_life_drawn, keeps_what_stands_still());
@@ -205,7 +204,7 @@ TEST_P(ViewChange, IsCutForWhoAskedForLessMotionWhenItIsReady) {
     EXPECT_LE(apart(picture_, alone(), 0).worst, kMaskStep);
 }
 
-// A jump leaves no time to make it beside; it is all there at once.
+// A jump leaves no time to render the view beside frames; it appears at once.
 TEST_P(ViewChange, IsThereAtOnceAfterAJump) {
     opened_.scene->look_at(wheel::View::kLookingIn);
     opened_.scene->jump();

@@ -1,5 +1,5 @@
-// Devices as the stability bench knows them: what moves, what damps it, what it can tell. Figures of the
-// makers and of published measurements where there are any; all else is said to be made up.
+// The stability bench's device models: moving mass, damping, resolution. Values are from makers and published
+// measurements where available; invented ones are marked as such.
 #pragma once
 
 #include <array>
@@ -22,12 +22,12 @@ inline haptics::DeviceCapabilities stylus(const char* name, double damping_n_s_p
             .coulomb_friction_n = coulomb_n};
 }
 
-// The one that is most like the device of the paper: 0.1 N s/m and 0.26 N of dry friction.
+// The model closest to the paper's device: 0.1 N s/m and 0.26 N of dry friction.
 inline haptics::DeviceCapabilities omni_like() {
     return stylus("Omni-like", 0.1, 0.26);
 }
 
-// From the hardest to steady to the easiest.
+// From the least to the most stable.
 inline std::array<haptics::DeviceCapabilities, 5> bench_devices() {
     return {stylus("0.1 N s/m, no friction", 0.1, 0.0), stylus("0.3 N s/m, no friction", 0.3, 0.0),
             stylus("1.0 N s/m, no friction", 1.0, 0.0), stylus("0.3 N s/m, 0.13 N friction", 0.3, 0.13),

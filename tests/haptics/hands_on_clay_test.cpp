@@ -1,6 +1,7 @@
-// Human hands of several kinds on a simulated device, closed through the whole haptic tick: clay, velocity
-// estimator, safety chain, at 1 kHz and at 4 kHz. Minutes of simulated time each; whatever they do, the force
-// stays within its limits and the loop gives no more energy than it took but for what the wheel's motor does.
+// Several models of human hands on a simulated device, in a closed loop through the whole haptic tick: clay,
+// velocity estimator, safety chain, at 1 kHz and at 4 kHz. Minutes of simulated time each; the force always
+// stays within its limits, and the loop returns no more energy than it took plus the work of the wheel's
+// motor.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr double kSeconds = 5.0;  // unoptimised code is ten times slower
 #endif
 constexpr double kMmPerM = 1000.0;
 
-// A hand: a mass, held where the arm wants it by one spring, and to the tool by another. No grip: nobody.
+// A hand: a mass, with one spring to the arm's target and another to the tool. grip 0: no hand.
 struct HandModel {
     const char* name;
     double mass_kg = 0.0;
@@ -41,7 +42,7 @@ constexpr HandModel kHands[] = {
     {"tapping", 0.1, 0.5, 0.005, 0.3, 0.01, 3.0},
 };
 
-// The tool of a device as device_models.h describes one, in three axes, and the hand on it.
+// The tool of a device from device_models.h, in three axes, with the hand on it.
 class HeldDevice {
   public:
     HeldDevice(const haptics::DeviceCapabilities& device, const HandModel& hand)
@@ -56,7 +57,7 @@ class HeldDevice {
                 std::round(at_.z / step) * step};
     }
 
-    // The force is held for dt_s while hand and tool move. Gives its work, mJ.
+    // Holds the force for dt_s while hand and tool move. Returns its work, mJ.
     double advance(const dvec3& force_n, const dvec3& aim_mm, double dt_s) {
         constexpr int kSteps = 20;
         const double h = dt_s / kSteps;
@@ -94,7 +95,8 @@ class HeldDevice {
     dvec3 hand_v_{0.0};
 };
 
-// Where the arm wants the hand: to new places near the wall every now and then, up and down, deeper and not.
+// The arm's target: changes from time to time to new positions near the wall, up and down, deeper and less
+// deep.
 class Wish {
   public:
     explicit Wish(unsigned seed) : random_(seed) {}
@@ -130,8 +132,8 @@ class Wish {
 struct Outcome {
     double largest_n = 0.0;
     double largest_heat_n2 = 0.0;
-    double most_given_mj = 0.0;      // net of what was taken and of what the wheel did, at its worst
-    double most_generated_mj = 0.0;  // of that in a second, as the chain's observer knows it
+    double most_given_mj = 0.0;      // at its worst; minus the energy taken and the wheel's work
+    double most_generated_mj = 0.0;  // the same over the last second, by the chain's observer
     double largest_change_n = 0.0;
     double touched_s = 0.0;
     double farthest_mm = 0.0;
@@ -139,7 +141,7 @@ struct Outcome {
     haptics::Fault fault = haptics::Fault::kNone;
 };
 
-// The wheel's drag in the force that went out: the fraction of what the clay wanted that points the same way.
+// The wheel's drag in the applied force: the fraction of the clay's wanted force in its direction.
 dvec3 drag_in(const dvec3& applied_n, const clay::ContactForces& forces, bool is_studio,
               const DeviceFeel& feel) {
     const DeviceForce clay = device_force(forces, dvec3(0.0), 0.0, is_studio, feel);
@@ -167,8 +169,8 @@ Outcome work(HapticState state, double rate_hz, const HandModel& hand, unsigned 
     dvec3 low(1e9);
     dvec3 high(-1e9);
     const auto ticks = static_cast<int>(seconds * rate_hz);
-    // A free tool is led into the clay until that pushes back, and let loose: what happens then is the loop's
-    // doing alone.
+    // A free tool is moved into the clay until it is pushed back, and then released: from then on only the
+    // loop acts on it.
     constexpr double kPushesN = 0.6;
     constexpr double kLedMmS = 20.0;
     bool is_led = hand.mass_kg == 0.0;
@@ -181,9 +183,9 @@ Outcome work(HapticState state, double rate_hz, const HandModel& hand, unsigned 
         if (hand.mass_kg == 0.0) tool.wheel_button = false;
         const dvec3 place_before = held.place_mm();
         const TickResult result = tick(state, tool, parameters);
-        // One tick of delay: what is felt now was worked out at the last tick.
+        // One tick of delay: the force applied now was computed at the last tick.
         const double given_mj = held.advance(applied_n, aim, dt_s);
-        // The wheel's motor pays for what went out of its drag, no more.
+        // The wheel's motor is credited with the applied part of its drag, no more.
         const dvec3 way = held.place_mm() - place_before;
         net_mj = std::max(0.0, net_mj + given_mj - std::max(0.0, glm::dot(applied_drag_n, way)));
         outcome.most_given_mj = std::max(outcome.most_given_mj, net_mj);
@@ -237,10 +239,10 @@ TEST_P(HandsOnClay, NeverFeelMoreThanTheyMayHoweverTheyHoldTheTool) {
                 << who;
             EXPECT_EQ(outcome.fault, haptics::Fault::kNone) << who;
             EXPECT_LT(outcome.farthest_mm, 200.0) << who;
-            // A few mJ are a tool of 45 g at some hundred mm/s; a shake would add up without bound.
+            // A few mJ are a tool of 45 g at some hundred mm/s; a vibration would add up without bound.
             EXPECT_LT(outcome.most_given_mj, 8.0) << who;
             EXPECT_LT(outcome.most_generated_mj, limits.most_generated_mj / 50.0) << who;
-            // The test must have been one: hands that hold the tool press it into the clay.
+            // The test is only valid if hands that hold the tool press it into the clay.
             EXPECT_TRUE(hand.mass_kg == 0.0 || outcome.touched_s > kSeconds / 20.0) << who;
         }
     }

@@ -1,4 +1,4 @@
-"""Takes the mechanism of each safety property out of the source, one after the other, and wants a test to notice.
+"""Removes the mechanism of each safety property from the source, one at a time, and expects a test to fail.
 
   mutations.py FOLDER [WORDS]   Exit 0 when every mutation was noticed, 1 when one was not. An hour or two. Mutates a copy of
                                 the checkout in FOLDER, which it builds there; a copy of before is brought up to date.
@@ -25,7 +25,7 @@ GATE = f"{HID}/force_gate.cpp"
 
 
 def begun(stage):
-    """The head of a stage, up to where its body begins."""
+    """The head of a stage, up to the start of its body."""
     head = f"dvec3 {stage}("
     told = "/*input*/" if stage == "clamp" else "input"
     return (f"{head}const dvec3& force_n, const SafetyInput& {told}, const SafetyLimits& limits,\n"
@@ -33,11 +33,11 @@ def begun(stage):
 
 
 def off(stage):
-    """A stage that passes the force on as it came."""
+    """A stage that passes the force unchanged."""
     return CHAIN, begun(stage), begun(stage) + "    if (limits.peak_force_n > -1.0) return force_n;\n"
 
 
-# A lock that the I/O thread holds while it tells a device, and that the tick wants.
+# A lock that the I/O thread holds while it writes to a device, and that the tick needs.
 SHARED_LOCK = [
     (f"{HID}/hid_port.h", "class HidBus {", "inline std::mutex everybodys;\n\nclass HidBus {"),
     (f"{HID}/hid_port.h", "#include <memory>\n", "#include <memory>\n#include <mutex>\n"),
@@ -47,7 +47,7 @@ SHARED_LOCK = [
      "    const std::lock_guard lock(hid::everybodys);\n    link_.force.put({.force_n"),
 ]
 
-# Property, what is taken away, (file, text, text instead) or several of them, test program.
+# Property, removed mechanism, (file, text, replacement) or several of them, test program.
 MUTATIONS = [
     (1, "the peak", off("clamp"), PROPERTIES),
     (1, "the continuous force", off("budget"), PROPERTIES),
@@ -126,7 +126,7 @@ MUTATIONS = [
                                          "    put_on_states();\n"), "haptics_quiet_tick"),
     (14, "the dead man's switch", (CHAIN, "input.hand_is_there && !is_stale",
                                    "input.dt_s >= 0.0 && !is_stale"), PROPERTIES),
-    (14, "letting go when nobody is there", ("game/haptic/job.cpp", "                nobody_is_there_ = true;\n",
+    (14, "letting go without a hand", ("game/haptic/job.cpp", "                nobody_is_there_ = true;\n",
                                              "                nobody_is_there_ = false;\n"), PROPERTIES),
     (14, "letting go when the picture hangs", ("game/haptic/job.cpp", " || watchdog_.picture_stands_still();",
                                                ";"), PROPERTIES),
@@ -285,7 +285,7 @@ class Copy:
         return self.run("cmake", "--build", str(self.build), "--target", *programs)
 
     def passes(self, program, longest_s):
-        # Some wait for what never comes: that is noticed too. Nobody waits for what they have started themselves.
+        # Some mutations make a test hang; that counts as noticed. Its child processes are not waited for.
         quiet = subprocess.DEVNULL
         try:
             test = [str(self.build / "tests" / program)]

@@ -1,4 +1,4 @@
-// The whole loop, tick by tick on a virtual clock, around a device that a test leads. For tests.
+// The whole loop, tick by tick on a virtual clock, with a scripted device. For tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ inline double size_of(const dvec3& force_n) {
     return std::sqrt(glm::dot(force_n, force_n));
 }
 
-// Keeps what it was told, as real ones do, until it is silenced.
+// Keeps the last force, as real devices do, until it is silenced.
 class ObedientDevice : public test::ScriptedDevice {
   public:
     [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {

@@ -1,7 +1,6 @@
-// Safety property 13: the tick asks the system for nothing. It is run under a system call filter, with the
-// time stamp counter closed, with memory, locks and exceptions counted and page faults watched; and each
-// watch is shown to see what it watches for, by a device that does it in the middle of a tick. A program of
-// its own.
+// Safety property 13: the tick makes no system call. It runs under a system call filter, with the time stamp
+// counter disabled, counting allocations, locks and exceptions, and watching page faults. Each watch is
+// proved to work by a device that does the forbidden thing in the middle of a tick. A program of its own.
 #include <gtest/gtest.h>
 
 #include <sys/mman.h>
@@ -27,7 +26,7 @@ using test::Disturbances;
 
 constexpr int kTicks = 4000;
 
-// A whole job's work but for its thread: ticks, snapshots, records, commands, the watchdog's beat.
+// A job's whole work without its thread: ticks, snapshots, records, commands, the watchdog's beat.
 class Loop {
   public:
     Loop(const HapticState& start, std::unique_ptr<haptics::HapticDevice> device)
@@ -72,7 +71,7 @@ TEST(SafetyProperty13, TheTickOfTheStudiosClayAsksTheSystemForNothing) {
     EXPECT_TRUE(found.none()) << found.words();
 }
 
-// In the middle of every thousandth tick it does what may not be done.
+// Does something forbidden in the middle of every thousandth tick.
 template <typename Offence>
 class Offender final : public test::ScriptedDevice {
   public:
@@ -95,7 +94,7 @@ Disturbances found_of(Offence offence) {
 
 TEST(TheWatch, SeesSystemCalls) {
     EXPECT_EQ(found_of([] { static_cast<void>(getppid()); }).system_calls, 4);
-    // A log line: into nothing here, so that nobody has to read it.
+    // A log line, written to /dev/null here.
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> log(std::fopen("/dev/null", "w"), &std::fclose);
     ASSERT_NE(log, nullptr);
     std::setvbuf(log.get(), nullptr, _IOLBF, 256);

@@ -38,8 +38,8 @@ Function next(const char* name) {
 
 }  // namespace
 
-// The libraries' own entries, counted and passed on. The C library calls none of them before main that would
-// need what is not there yet: memory goes to its inner names, which need no look-up.
+// Interposes the libraries' functions: counts and forwards. Memory functions forward to glibc's internal
+// names, which need no symbol look-up, because they are called before main.
 extern "C" {
 // NOLINTBEGIN: names and signatures are the libraries'
 void* __libc_malloc(std::size_t);
@@ -122,7 +122,7 @@ void* __cxa_allocate_exception(std::size_t size) noexcept {
 namespace onggi::test {
 namespace {
 
-// Of the child, seen by its parent.
+// The child's results, in memory shared with its parent.
 struct Seen {
     std::atomic<long> system_calls{0};
     std::atomic<long> clock_reads{0};
@@ -139,8 +139,8 @@ void on_system_call(int, siginfo_t*, void*) {
 }
 
 #if defined(__x86_64__)
-// The time stamp counter is closed to the child, so that a clock which the kernel answers without a call is
-// seen too. The instruction is stepped over; the clock stands.
+// The time stamp counter is disabled in the child, to detect clocks that need no system call (vDSO). The
+// handler skips the instruction, so the clock does not advance.
 void on_fault(int, siginfo_t*, void* context) {
     auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
     const auto* code = reinterpret_cast<const unsigned char*>(registers[REG_RIP]);
@@ -153,7 +153,7 @@ void on_fault(int, siginfo_t*, void* context) {
 }
 #endif
 
-// From here on this thread may only come back from a signal and end.
+// From here on this thread may only return from signals and exit.
 void close_the_kernel() {
     struct sigaction action {};
     action.sa_flags = SA_SIGINFO;
@@ -214,7 +214,7 @@ std::string Disturbances::words() const {
 
 Disturbances watch(const std::function<void()>& code) {
     Disturbances found;
-    code();  // what is touched once is there
+    code();  // touches all pages
     constexpr int kRuns = 5;
     for (int run = 0; run < kRuns; ++run) {
         const long before = page_faults_so_far();
@@ -232,7 +232,7 @@ Disturbances watch(const std::function<void()>& code) {
     found.exceptions = ::exceptions - exceptions_before;
     const long clock_reads = ::clock_reads - clock_reads_before;
     watch_system_calls(code, found);
-    // A virtual machine's kernel may not be able to close the counter; the functions are counted everywhere.
+    // A virtual machine's kernel may be unable to disable the counter; the functions are counted everywhere.
     found.clock_reads = std::max(found.clock_reads, clock_reads);
     return found;
 }

@@ -1,6 +1,6 @@
-// Watches a piece of code for what the tick may not do: ask the kernel, read a clock, allocate, lock, throw,
-// touch a page that is not there. For tests, in a program of its own (quiet_watch.cpp replaces functions of
-// the C and C++ libraries), on one thread.
+// Watches a piece of code for what the tick must not do: call the kernel, read a clock, allocate, lock,
+// throw, or fault a page. For tests, in a program of its own (quiet_watch.cpp replaces functions of the C and
+// C++ libraries), on one thread.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,10 @@
 
 namespace onggi::test {
 
-// What a piece of code did.
+// The forbidden operations of a piece of code.
 struct Disturbances {
     long system_calls = 0;
-    long clock_reads = 0;  // through the C library, or the time stamp counter where the kernel can close it
+    long clock_reads = 0;  // through the C library, or the time stamp counter if the kernel can disable it
     long allocations = 0;  // and releases
     long locks = 0;
     long exceptions = 0;
@@ -24,10 +24,10 @@ struct Disturbances {
     [[nodiscard]] std::string words() const;
 };
 
-// Runs it three times: under a system call filter in a child process; watched for page faults, the fewest of
-// some runs, because a kernel may take a page away at any time; and counted. It must be able to run again and
-// again, and everything it needs must have been touched before. Ends the test program where the kernel has no
-// such filter.
+// Runs the code three times: in a child process under a system call filter; watching page faults (the fewest
+// of several runs, because the kernel may evict a page at any time); and counting calls. The code must be
+// repeatable, and everything it needs must have been touched before. Exits the test program if the kernel has
+// no such filter.
 [[nodiscard]] Disturbances watch(const std::function<void()>& code);
 
 }  // namespace onggi::test

@@ -1,7 +1,6 @@
-// The safety properties of a kiosk's loop, one by one. Each test shows the property, and that it is gone when
-// the mechanism behind it is taken away: the stages of the chain are data, so a chain without one is a list
-// without one. The thirteenth is in quiet_tick_test.cpp. Where else each is proved is the table of
-// safety_table_test.cpp.
+// The safety properties of a kiosk's loop, one by one. Each test shows the property, and that it fails
+// without the mechanism behind it: the chain is a list of stages, so a stage can be left out. The thirteenth
+// is in quiet_tick_test.cpp. safety_table_test.cpp lists the other tests of each property.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +53,7 @@ SafetyInput resting() {
     return {.position_mm = {60.0, 100.0, 0.0}, .dt_s = kDt};
 }
 
-// The largest force of so many ticks of the same.
+// The largest force in `ticks` ticks with the same input.
 double largest_n(std::span<const SafetyStage> stages, const dvec3& wanted_n, const SafetyInput& input,
                  const SafetyLimits& limits, SafetyState& state, int ticks) {
     double largest = 0.0;
@@ -78,7 +77,7 @@ TEST(SafetyProperty01, TheForceStaysWithinPeakAndContinuousForce) {
     EXPECT_LE(largest_n(kSafetyChain, kPush * 100.0, resting(), limits, whole, 40'000), 3.3 * (1.0 + 1e-12));
     EXPECT_LE(whole.heat_n2, 0.88 * 0.88 * (1.0 + 1e-9));
     EXPECT_LT(last_n(kSafetyChain, kPush * 100.0, resting(), limits, whole, 1), 1.0);  // 40 N s are spent
-    // Askew, each axis may lie within the peak and the force beyond it.
+    // In an oblique direction each axis may be within the peak, but not the force.
     SafetyState askew = engaged();
     EXPECT_LE(largest_n(kSafetyChain, {3.0, 2.9, -3.0}, resting(), limits, askew, 1000), 3.3 * (1.0 + 1e-12));
     SafetyState unclamped = engaged();
@@ -104,7 +103,7 @@ TEST(SafetyProperty01, TheLargestForceThatWasEverToldIsKept) {
 }
 
 TEST(SafetyProperty02, TheClampKeepsTheDirection) {
-    // Without it, what a device does by itself is to clip each axis, which bends the push.
+    // Without the stage, a device would clip each axis, which changes the direction.
     const auto clip = [](const dvec3& force_n, const SafetyInput&, const SafetyLimits& limits,
                          SafetyState&) noexcept -> dvec3 {
         return glm::clamp(force_n, -limits.peak_force_n, limits.peak_force_n);
@@ -132,7 +131,7 @@ TEST(SafetyProperty03, TheForceGrowsSlowlyAndGoesQuickly) {
     EXPECT_EQ(last_n(chain_without("slew"), kPush, resting(), {}, blunt, 1), 1.0);
 }
 
-TEST(SafetyProperty04, TheForceBeginsFromNothingAndOnlyOnceItIsSmall) {
+TEST(SafetyProperty04, TheForceRampsUpFromZeroOnceItIsSmall) {
     SafetyState start;
     EXPECT_EQ(largest_n(kSafetyChain, kPush, resting(), {}, start, 8000), 0.0);  // deep in the clay: never
     largest_n(kSafetyChain, dvec3(0.0), resting(), {}, start, 4);
@@ -141,7 +140,7 @@ TEST(SafetyProperty04, TheForceBeginsFromNothingAndOnlyOnceItIsSmall) {
     EXPECT_EQ(last_n(chain_without("ramp"), kPush, resting(), {}, blunt, 400), 1.0);
 }
 
-TEST(SafetyProperty05, NonsenseIsAFaultThatStays) {
+TEST(SafetyProperty05, AnInvalidInputLatchesAFault) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     SafetyState whole = engaged();
     whole.applied_force_n = kPush;
@@ -162,7 +161,7 @@ TEST(SafetyProperty05, NonsenseIsAFaultThatStays) {
     EXPECT_EQ(last_n(without, kPush, far, {}, open, 400), 1.0);
 }
 
-TEST(SafetyProperty06, AToolThatFliesThroughTheClayIsLetGo) {
+TEST(SafetyProperty06, ATooFastToolLosesItsForce) {
     SafetyInput flying = resting();
     flying.velocity_mm_s = {-1500.0, 0.0, 0.0};
     SafetyState whole = engaged();
@@ -173,12 +172,12 @@ TEST(SafetyProperty06, AToolThatFliesThroughTheClayIsLetGo) {
 
 constexpr std::int64_t kMs = 1'000'000;
 
-TEST(SafetyProperty07, ALoopThatStandsStillLosesTheDevice) {
+TEST(SafetyProperty07, AHungLoopLosesItsForce) {
     Loop loop;
     loop.run(3000);
     ASSERT_GT(loop.force_n(), 0.3);
-    // The loop hangs. Without a watchdog the device pushes on for ever; with one it is let go in 5 ms and a
-    // look.
+    // The loop hangs. Without a watchdog the device pushes for ever; with one the force ends within 5 ms and
+    // one check.
     haptics::Watchdog& watchdog = loop.work->watchdog();
     std::int64_t now_ns = 1000 * kMs;
     const std::int64_t hung_ns = now_ns;
@@ -190,15 +189,15 @@ TEST(SafetyProperty07, ALoopThatStandsStillLosesTheDevice) {
     }
     EXPECT_LE(now_ns - hung_ns, 6 * kMs);
     EXPECT_EQ(loop.force_n(), 0.0);
-    // It wakes up, still deep in the clay: nothing until the tool has been out, and the picture is told.
+    // It wakes up, still deep in the clay: no force until the tool has been out; the snapshot reports it.
     loop.run(1500);
     EXPECT_EQ(loop.force_n(), 0.0);
     EXPECT_EQ(loop.work->newest_snapshot().safety.silences, 1U);
 }
 
-TEST(SafetyProperty07, AUsbDeviceIsToldNothingTwentyMillisecondsAfterTheLastOrder) {
-    // HID reports are 4 ms apart, so that 5 ms cannot be kept there; the device's own half are effects that
-    // end by themselves (tests/device, engine/haptics/README.md).
+TEST(SafetyProperty07, AUsbDeviceGetsNoForceTwentyMillisecondsAfterTheLastOrder) {
+    // HID reports are 4 ms apart, so the 5 ms cannot be met there; the device's own timeout is an effect that
+    // ends by itself (tests/device, engine/haptics/README.md).
     const auto force_after = [](std::int64_t silence_ns) {
         haptics::hid::ForceGate gate({.silence_ns = silence_ns});
         std::uint64_t ticks = 0;
@@ -234,7 +233,7 @@ TEST(SafetyProperty09, TheLoopGivesNoMoreThanItTook) {
     EXPECT_GT(loop.work->newest_snapshot().safety.taken_mj, 0.1);
 }
 
-// A device that says what it is, and counts its openings.
+// A device with given capabilities that counts its openings.
 class DescribedDevice final : public ObedientDevice {
   public:
     explicit DescribedDevice(haptics::DeviceCapabilities capabilities)
@@ -264,9 +263,9 @@ TEST(SafetyProperty10, AClayThatIsTooStiffForTheDeviceIsRefusedBeforeItIsOpened)
         return outcome;
     };
     EXPECT_EQ(start(), std::pair(false, 0));
-    device.moving_mass_kg = 0.0;  // what is unknown is no leave to push
+    device.moving_mass_kg = 0.0;  // an unknown mass does not allow any force
     EXPECT_EQ(start(), std::pair(false, 0));
-    device.has_motors = false;  // there is nothing to judge: the check is taken away
+    device.has_motors = false;  // nothing to check: the test is skipped
     EXPECT_EQ(start(), std::pair(true, 1));
 }
 
@@ -281,7 +280,7 @@ TEST(SafetyProperty11, ALoopThatIsLateMakesTheClaySofter) {
     EXPECT_EQ(last_n(chain_without("late"), kPush, late, {}, open, 4000), 1.0);
 }
 
-TEST(SafetyProperty12, ADeviceThatGoesAndComesBackBeginsFromNothing) {
+TEST(SafetyProperty12, ADeviceThatReturnsRampsUpFromZero) {
     Loop loop;
     loop.run(3000);
     ASSERT_GT(loop.force_n(), 0.3);
@@ -291,13 +290,13 @@ TEST(SafetyProperty12, ADeviceThatGoesAndComesBackBeginsFromNothing) {
     loop.device->signs_now = {};
     loop.run(1500);
     EXPECT_EQ(loop.force_n(), 0.0);  // it came back inside the clay
-    // Whoever does not say that it has gone is pushed on.
+    // A device that does not report its absence still gets the force.
     Loop silent;
     silent.run(3010);
     EXPECT_GT(silent.force_n(), 0.3);
 }
 
-TEST(SafetyProperty14, NobodyThereNoForce) {
+TEST(SafetyProperty14, AnAbsentHandGetsNoForce) {
     SafetyInput alone = resting();
     alone.hand_is_there = false;
     SafetyState whole = engaged();
@@ -307,7 +306,7 @@ TEST(SafetyProperty14, NobodyThereNoForce) {
     EXPECT_EQ(last_n(chain_without("hand"), kPush, alone, {}, open, 22), 1.0);
 }
 
-TEST(SafetyProperty14, AnIdleKioskAndAHungPictureLetGo) {
+TEST(SafetyProperty14, AnIdleKioskAndAHungPictureRemoveTheForce) {
     Loop idle;
     idle.run(3000);
     ASSERT_GT(idle.force_n(), 0.3);
@@ -321,7 +320,7 @@ TEST(SafetyProperty14, AnIdleKioskAndAHungPictureLetGo) {
     std::int64_t now_ns = 0;
     watchdog.picture_is_alive();
     (void)watchdog.round(now_ns);
-    // The loop beats on, the picture does not.
+    // The loop continues, the picture hangs.
     for (int k = 0; k < 2100; ++k) {
         hung.run(1);
         now_ns += kMs;
@@ -334,11 +333,11 @@ TEST(SafetyProperty14, AnIdleKioskAndAHungPictureLetGo) {
     EXPECT_EQ(hung.device->silenced, 0);
 }
 
-TEST(SafetyProperty14, TheStopNeedsNoPictureAndHoldsUntilItIsTakenBack) {
+TEST(SafetyProperty14, TheStopNeedsNoPictureAndHoldsUntilRearmed) {
     Loop loop;
     loop.run(3000);
     ASSERT_GT(loop.force_n(), 0.3);
-    loop.work->stop_force();  // any thread; nobody looks at snapshots
+    loop.work->stop_force();  // any thread; no snapshot is read
     loop.run(1);
     EXPECT_EQ(loop.force_n(), 0.0);
     loop.run(3000);
@@ -349,7 +348,7 @@ TEST(SafetyProperty14, TheStopNeedsNoPictureAndHoldsUntilItIsTakenBack) {
     EXPECT_EQ(loop.work->newest_snapshot().fault, haptics::Fault::kNone);
 }
 
-// Loses its senses after 2500 ticks.
+// Returns an invalid position after 2500 ticks.
 class LosingDevice final : public test::ScriptedDevice {
   public:
     [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {

@@ -1,6 +1,5 @@
-// The devices that are driven here, as they describe themselves, on the stability bench: what they may be
-// shown at their own rates, and that it is borne. The figures are kept in stability.md and must be found
-// again.
+// The capabilities of the supported devices on the stability bench: the stiffness they may render at their
+// own rates, and that it is stable. The results must equal stability.md.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +35,7 @@ HapticParameters at(double rate_hz) {
     return parameters;
 }
 
-// What fit_to_device grants the studio's clay on an axis that is told its force.
+// The stiffness that fit_to_device allows the studio's clay on an axis with sent forces.
 double granted_n_per_mm(const DeviceCapabilities& device, double rate_hz) {
     HapticParameters parameters = at(rate_hz);
     const Result<void> fits = fit_to_device(parameters, device, false);
@@ -45,7 +44,7 @@ double granted_n_per_mm(const DeviceCapabilities& device, double rate_hz) {
                                 : parameters.feel.most_stiffness_n_per_mm;
 }
 
-// N/m, as the table has it.
+// A row of the table, N/m.
 std::string row_of(const DeviceCapabilities& device) {
     std::string row = fmt::format("| {} |", device.name);
     for (const double rate_hz : kRates)
@@ -80,7 +79,7 @@ TEST(AForceOverUsb, OscillatesWithTheStudiosClayAsItIsAndNotAsItIsShown) {
         ASSERT_EQ(usb.delay_ticks, 2);
         DeviceFeel raw = parameters.feel;
         raw.most_wire_stiffness_n_per_mm = 0.0;
-        // With the clay's viscosity, which is borne too, and without.
+        // With and without the clay's viscosity.
         for (const double viscosity : {0.0, parameters.studio.viscosity_c2_n_s_per_mm}) {
             usb.viscosity_n_s_per_mm = viscosity;
             const double shown = shown_n_per_mm(parameters.feel);

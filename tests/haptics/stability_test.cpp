@@ -1,6 +1,6 @@
-// The stability bench: the largest stiffness each device can show at each rate, bare, behind the limits
-// alone, and behind the whole safety chain. The figures are kept in stability.md and must be found again,
-// here and with every compiler; ONGGI_WRITE_STABILITY=FILE works the whole table out anew and writes it.
+// The stability bench: the largest stiffness that each device can render at each rate: bare, behind the
+// limits alone, and behind the whole safety chain. The results must equal stability.md, with every compiler;
+// ONGGI_WRITE_STABILITY=FILE recomputes the whole table and writes it.
 #include "engine/haptics/stability.h"
 
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ LoopSetting held(LoopSetting setting, double mass_kg, double stiffness_n_per_mm,
     return setting;
 }
 
-// N/m, as tables of devices have it; the last digit is the step's.
+// N/m, as in tables of devices; rounded to the search's step.
 int in_n_per_m(double stiffness_n_per_mm) {
     return static_cast<int>(stiffness_n_per_mm * 1000.0 + 0.5);
 }
@@ -92,7 +92,7 @@ void write_table(const std::string& file) {
     }
 }
 
-// The figures of a row of the kept table, N/mm; kMost for "> 5800". Empty: there is no such row.
+// The values of a row of stability.md, N/mm; kMost for "> 5800". Empty if there is no such row.
 std::vector<double> kept_row(const DeviceCapabilities& device, Between between) {
     std::ifstream in(kTable);
     const std::string start = row_start(device, between);
@@ -109,7 +109,7 @@ std::vector<double> kept_row(const DeviceCapabilities& device, Between between) 
     return {};
 }
 
-// The very number that the search tried and the table rounded, and one of its steps some way below.
+// The search's value before rounding, and one of its steps some way below.
 std::pair<double, double> searched_figure(double kept) {
     double far_below = 0.01;
     double tried = 0.01;
@@ -120,7 +120,7 @@ std::pair<double, double> searched_figure(double kept) {
     return {kept < kMost ? tried : kMost, far_below};
 }
 
-TEST(StabilityBench, FindsTheFiguresOfItsTableAgain) {
+TEST(StabilityBench, MatchesItsTable) {
     if (const char* file = std::getenv("ONGGI_WRITE_STABILITY")) write_table(file);
     for (const DeviceCapabilities& device : bench_devices()) {
         for (const Between between : kAllBetween) {
@@ -139,8 +139,8 @@ TEST(StabilityBench, FindsTheFiguresOfItsTableAgain) {
 }
 
 TEST(StabilityBench, FailsOnAGrowingOscillation) {
-    // The paper's 0.5 N/mm at the paper's 1 kHz on a device without friction: it grows, and the bench says
-    // so.
+    // The paper's 0.5 N/mm at the paper's 1 kHz on a device without friction is unstable, and the bench
+    // detects it.
     const DeviceCapabilities slippery = test::stylus("slippery", 0.1, 0.0);
     const LoopMotion motion = run_loop(slippery, setting_of(Between::kNothing, 1000.0), 0.5, 5.0);
     EXPECT_GT(motion.swing_mm, 10.0);
@@ -148,9 +148,9 @@ TEST(StabilityBench, FailsOnAGrowingOscillation) {
     EXPECT_FALSE(is_stable(slippery, setting_of(Between::kNothing, 1000.0), 0.5));
 }
 
-TEST(StabilityBench, AgreesWithTheRuleOfPassivityWhereThereIsNothingElse) {
+TEST(StabilityBench, AgreesWithThePassivityConditionForABareWall) {
     // b > K T (1/2 + d) with one tick of delay: K = b/(1.5 T), 67 N/m at 1 kHz with 0.1 N s/m. The rule is a
-    // bound for any hand at all; this one wall, with a light press, is at its edge.
+    // bound for any hand; this wall, with a light press, is at its edge.
     for (const double damping_n_s_per_m : {0.1, 0.3, 1.0}) {
         const DeviceCapabilities device = test::stylus("b", damping_n_s_per_m, 0.0);
         const double rule = damping_n_s_per_m / 1000.0 / (1.5 * 0.001);
@@ -194,7 +194,7 @@ TEST(RejectsClay, ThatIsStifferThanItsDeviceCanShowStably) {
     const auto refused = check_work_on_device(slippery, 500.0, 0.65, 0.002);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
-    // The number is the bench's.
+    // The message has the bench's number.
     const double most = largest_stable_stiffness_n_per_mm(slippery, setting_of(Between::kChain, 500.0), 0.65);
     EXPECT_EQ(
         refused.error().message,
@@ -203,7 +203,7 @@ TEST(RejectsClay, ThatIsStifferThanItsDeviceCanShowStably) {
             "500 Hz, found 0.65",
             most));
     EXPECT_TRUE(check_work_on_device(slippery, 4000.0, 0.5, 0.002));
-    // A device that speaks at 250 Hz closes the loop at 250 Hz, however fast the tick.
+    // A device that reports at 250 Hz closes the loop at 250 Hz, however fast the tick.
     slippery.report_rate_hz = 250.0;
     EXPECT_FALSE(check_work_on_device(slippery, 4000.0, 0.5, 0.002));
 }
@@ -212,7 +212,7 @@ TEST(RejectsClay, OnADeviceThatDoesNotSayItsWeightAsOnTheHardestOfTheBench) {
     DeviceCapabilities light = test::stylus("it", 0.1, 0.0);
     const auto known = check_work_on_device(light, 500.0, 0.65, 0.002);
     light.moving_mass_kg = light.damping_n_s_per_mm = 0.0;
-    light.coulomb_friction_n = 1.0;  // without the mass it says nothing
+    light.coulomb_friction_n = 1.0;  // useless without the mass
     const auto unknown = check_work_on_device(light, 500.0, 0.65, 0.002);
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().message, known.error().message);
@@ -233,7 +233,7 @@ TEST(LoopOfADevice, IsAsSlowAndAsLateAsItsBus) {
     EXPECT_FALSE(loop_of(device, 4000.0).stages.empty());
     device.has_own_walls = true;
     EXPECT_TRUE(loop_of(device, 4000.0).stages.empty()) << "the controller does not know when its bus tells";
-    // Later, the same device bears less.
+    // With a longer delay the same device allows less.
     device = test::stylus("late", 0.1, 0.0);
     const double prompt = stiffest_for(device, 1000.0, 1.0);
     device.wire_delay_s = 0.002;

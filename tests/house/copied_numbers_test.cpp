@@ -1,4 +1,4 @@
-// Numbers that the workshop's maker, which is Python and runs in Blender, keeps a copy of.
+// Checks the copies of constants in the workshop's maker, which is Python and runs in Blender.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Reads the table of who may include whom, and finds in a file's text what the table refuses.
+// Reads the table of allowed includes, and finds violations in a file's text.
 #pragma once
 
 #include <string>
@@ -21,8 +21,8 @@ struct IncludeRules {
 
 Result<IncludeRules> parse_include_rules(std::string_view text);
 
-// One line a violation: path, line number, what was found and what is allowed. path is from the root of the
-// house.
+// One line per violation: path, line number, what was found and what is allowed. `path` is relative to the
+// repository's root.
 std::vector<std::string> violations(const IncludeRules& rules, std::string_view path, std::string_view text);
 
 }  // namespace onggi::house

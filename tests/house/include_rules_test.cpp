@@ -74,9 +74,9 @@ TEST(House, NoFileHasMoreThanAThousandLines) {
     }
 }
 
-// How many lines each block has that ends in a line of `}` alone, by the number of the line it begins at.
-// That is every body of a function: in formatted code it ends at the indentation of its first line. The other
-// such blocks stand inside of functions.
+// The length in lines of each block that ends in a line of `}` alone, by its first line's number. That
+// includes every function body: in formatted code it ends at the indentation of its first line. The other
+// such blocks are inside functions.
 std::map<int, int> block_lengths(const std::string& text) {
     std::map<int, int> found;
     std::map<std::size_t, int> last_at;  // the last line at each indentation
@@ -155,7 +155,7 @@ TEST(House, EveryRoomHasAReadme) {
     }
 }
 
-// Every file that people keep, by its path from the root.
+// Every file in the repository, by its path from the root.
 std::set<std::string> kept_files() {
     std::set<std::string> found;
     const fs::path root = test::in_checkout();
@@ -173,7 +173,7 @@ std::set<std::string> kept_files() {
     return found;
 }
 
-// What a line says to people: all of it in a document, the comment in code.
+// The prose of a line: the whole line in a document, the comment in code.
 std::string_view prose_of(std::string_view file, std::string_view line) {
     if (file.ends_with(".md")) return line;
     const fs::path extension = fs::path(file).extension();
@@ -202,7 +202,7 @@ std::vector<std::string> named_paths(std::string_view text) {
     return found;
 }
 
-// All ways to name a file that begin at one of its folders: `a/b/c.h` is also `b/c.h`.
+// All suffixes of a path that begin at one of its folders: `a/b/c.h` is also `b/c.h`.
 std::set<std::string> suffixes(const std::set<std::string>& files) {
     std::set<std::string> found;
     for (const std::string& file : files) {
@@ -213,9 +213,9 @@ std::set<std::string> suffixes(const std::set<std::string>& files) {
     return found;
 }
 
-// A comment or a document that names a file has to follow when the file is moved or renamed.
+// Comments and documents that name a file must be updated when it is moved or renamed.
 TEST(House, EveryFileThatIsNamedExists) {
-    // Files that a command, an installation or a kiosk writes, and a name that stands for many.
+    // Files that a command, an installation or a kiosk writes, and a placeholder name.
     const std::set<std::string_view> no_files = {"assets/languages/CODE.tsv", "out/throwing.csv",
                                                  "share/onggi/kiosk-settings.toml", "statistics/staff.toml",
                                                  "statistics/visits.csv"};

@@ -18,7 +18,7 @@ class Runner(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def run_tests(self, tests, *options):
-        """tests: name -> (shell words, properties as CMake writes them). Gives the exit code and what was printed."""
+        """tests: name -> (shell words, properties as CMake writes them). Returns the exit code and the output."""
         text = ""
         for name, (words, properties) in tests.items():
             (self.folder / f"{name}.sh").write_text(words)
@@ -63,7 +63,7 @@ class Runner(unittest.TestCase):
             code, text = self.run_tests({"works": (work, f"TIMEOUT {limit_s:.1f}")})
         finally:
             for loop in crowd:
-                loop.terminate()  # timeout ends its command, too
+                loop.terminate()  # timeout also ends its command
                 loop.wait()
         self.assertEqual(code, 0, text)
 

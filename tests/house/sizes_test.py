@@ -8,10 +8,10 @@ import subprocess
 import sys
 
 SIZES = ("basic", "landing", "release", "nightly")
-# What ./check has to prove by itself, by the beginning of the names.
+# The tests that ./check must contain, by name prefix.
 IN_BASIC = ("unit_", "paper_", "replay_", "export_", "golden_", "studio_", "haptics_", "house_", "cli_", "share_server",
             "hid_on_the_bus", "bench_", "window_visit_by_touch", "window_visit_by_keys")
-# Tests of a build with the fuzzers, with npm, or on a machine that has a slicer.
+# Tests that exist only in a build with the fuzzers, with npm, or on a machine with a slicer.
 ELSEWHERE = ("fuzz_", "web_", "export_slicer")
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs into a folder where something stands already, uses what was installed, uninstalls, and compares.
+# Installs into a non-empty folder, uses the installed files, uninstalls, and compares.
 # install_and_uninstall.sh BUILD FOLDER
 set -euo pipefail
 build=$1 folder=$2
@@ -7,7 +7,7 @@ fail() { printf '%s\n' "$*"; exit 1; }
 tree() { (cd "$folder/root" && find . -printf '%y %m %p %l\n' | sort && find . -type f -exec sha256sum {} + | sort); }
 
 rm -rf "$folder" "$build/install_folders.txt"
-# A machine that has some of the folders, one of them empty, and files of others beside ours.
+# A machine with some of the folders, one of them empty, and foreign files beside the program's.
 mkdir -p "$folder/root/usr/bin" "$folder/root/usr/lib/udev/rules.d" "$folder/root/usr/lib/systemd/system" \
     "$folder/root/etc/security/limits.d"
 echo other >"$folder/root/usr/lib/udev/rules.d/60-other.rules"
@@ -16,7 +16,7 @@ tree >"$folder/before"
 
 export DESTDIR=$folder/root
 cmake --install "$build" --prefix /usr >"$folder/log"
-# A second time, as after an update: the folders are there now, and still ours to take away.
+# A second time, as for an update: the folders exist now, and an uninstall must still remove them.
 cmake --install "$build" --prefix /usr >>"$folder/log"
 unset DESTDIR
 root=$folder/root
@@ -37,11 +37,11 @@ said=$(ONGGI_QUARTER_TURNS=5 sh "$root/usr/lib/onggi/kiosk" start 2>&1) && fail 
 if grep -rn '@[A-Z_]*@' "$root/usr/lib/systemd" "$root/usr/lib/tmpfiles.d" "$root/usr/lib/onggi"; then
     fail "expected every place filled in"
 fi
-# What was installed finds what it needs where it stands: museum's pots and a workshop, not the source tree's.
+# The installed program finds its installed assets, museums' pots and a workshop, not the source tree's.
 "$root/usr/bin/onggi" --version
 (cd "$folder" && "$root/usr/bin/onggi" throw "$OLDPWD/assets/gestures/touch-still.csv" --clay studio --target nearest \
     --stats stats.json >/dev/null)
-# What the wheel shows while nobody is there, each of it whole.
+# The demonstrations, each complete.
 while read -r name _; do
     [ -z "$name" ] || "$root/usr/bin/onggi" replay "$root/usr/share/onggi/demonstrations/$name.onggi" --validate >/dev/null ||
         fail "expected the installed demonstration '$name' to replay"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The user, its groups, its folders and the first settings, made by systemd's own tools in a root of their own.
+# The user, its groups, its folders and the first settings, created by systemd's tools in a separate root.
 # user_and_folders.sh BUILD FOLDER
 set -euo pipefail
 build=$1 folder=$2
@@ -29,7 +29,7 @@ group=$(sed -n 's/^onggi-share:[^:]*:\([0-9]*\):.*/\1/p' "$root/etc/group")
 [ "$(stat -c '%u %g %a' "$root/var/lib/onggi-outbox")" = "$user $group 2750" ] || { echo "expected the outbox to be onggi's, for onggi-share to read"; exit 1; }
 [ "$(stat -c '%u %g %a %F' "$root/run/onggi-counter")" = "$user $group 620 fifo" ] || { echo "expected a pipe that onggi-share may only write"; exit 1; }
 cmp assets/install/kiosk.toml "$root/etc/onggi/kiosk.toml"
-# What the museum has set stays, whenever it is run again.
+# A museum's settings must survive further runs.
 echo 'name = "by the window"' >>"$root/etc/onggi/kiosk.toml"
 tmpfiles
 grep -q 'by the window' "$root/etc/onggi/kiosk.toml" || { echo "expected the museum's settings to stay"; exit 1; }

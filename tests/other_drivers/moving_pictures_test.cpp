@@ -1,6 +1,6 @@
-// The moving picture as a GPU is asked for it, four samples a pixel, on a driver that is not Mesa's software:
-// against those that SwiftShader drew and that were looked at, and through changes of view, size and hour;
-// under the validation layer with synchronization validation, of which not a word is heard.
+// The moving picture at the GPU quality steps, four samples per pixel, on a driver other than Mesa's
+// software: against approved pictures by SwiftShader, and through changes of view, size and time of day;
+// under the validation layer with synchronization validation, without any message.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(OfThePot, MovingPictures,
 
 class AStormOfSizes : public MovingPictures {};
 
-TEST_F(AStormOfSizes, PleasesTheValidationLayerOnEveryStepOfAGpu) {
+TEST_F(AStormOfSizes, CausesNoValidationMessageOnAnyGpuStep) {
     wheel::OpenedScene opened = wheel::open_scene({}, 320, 240);
     ASSERT_EQ(opened.lack, "");
     constexpr std::array<VkExtent2D, 4> kSizes{{{320, 240}, {97, 161}, {17, 16}, {417, 235}}};

@@ -1,5 +1,5 @@
-// The stills of two drivers, each written by others, are one picture: lavapipe's, which are kept, and those
-// of the driver that runs this, SwiftShader's or a GPU's.
+// Two independent drivers draw the same stills: lavapipe's stored ones, and those of the driver under test,
+// SwiftShader's or a GPU's.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ constexpr int kMostLevels = 5;          // of 255, in any channel, counts as ali
 constexpr double kMostApart = 0.003;    // of the pixels may be farther apart
 constexpr double kMostInTheMean = 0.4;  // of 255
 
-// Named: seen from above, nearly all of these is the photographed room, filtered from its photograph by other
-// rounding; and grooves as fine as a pixel. On a GPU one more: 0.411 on an NVIDIA H100.
+// Exceptions by name: seen from above, these show mostly the photographed room, whose filtering rounds
+// differently; and grooves as fine as a pixel. On a GPU one more: 0.411 on an NVIDIA H100.
 constexpr double kMostInTheMeanOfNamed = 0.45;
 double most_in_the_mean(const GoldenScene& scene, bool is_gpu) {
     for (const char* name : {"inside", "opening", "rough-grooves", "wide-plate", "widening"})
@@ -47,7 +47,7 @@ TEST_P(Stills, AreThoseOfTheOtherDriver) {
     ASSERT_TRUE(png) << png.error().message;
     const auto expected = asset::decode_png(std::as_bytes(std::span(*png)), scene.name);
     ASSERT_TRUE(expected) << expected.error().message;
-    // Any word of the validation layer is an error.
+    // Any message of the validation layer is an error.
     const auto drawn = wheel::render_still(scene.shown(), scene.width, scene.height,
                                            {.view = scene.view, .validation = true});
     ASSERT_TRUE(drawn) << drawn.error().message;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# where_there_is.sh swiftshader|gpu ONGGI COMMAND...: runs a command where Vulkan has that driver, or a GPU of any; else says
-# so, and 77.
+# where_there_is.sh swiftshader|gpu ONGGI COMMAND...: runs a command if Vulkan has that driver, or any GPU;
+# otherwise prints a message and exits with 77.
 set -euo pipefail
 driver=$1 onggi=$2
 shift 2

@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
-# The packages on a bare Debian 12, as a museum has them: installed by apt, every command run, a visitor at the kiosk under
-# cage, an upgrade in the middle of the next visit, a purge. What it prints is the transcript.
-# bare_debian.sh BUILD PACKAGES FOLDER CACHE
-# Root, for chroot and mounts, which are in a namespace of their own and end with it. There is no systemd: what it would do
-# is done here, as the unit says.
+# Tests the packages on a bare Debian 12: installed by apt, every command run, a visitor at the kiosk under
+# cage, an upgrade in the middle of the next visit, a purge. Prints a transcript. bare_debian.sh BUILD
+# PACKAGES FOLDER CACHE Needs root for chroot and mounts, which are in a private namespace and end with it.
+# There is no systemd: the script does its work according to the unit.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 if [ -z "${ONGGI_IN_NAMESPACE:-}" ]; then
@@ -44,7 +43,7 @@ say "every command"
 run_every_command
 
 say "the kiosk, as its unit starts it"
-# The staff's settings: from here on the museum's.
+# The staff's settings, which belong to the museum from here on.
 sed -i 's/^pin = ""/pin = "2468"/' "$root/etc/onggi/kiosk.toml"
 printf '[visit]\nidle_s = 180\nshows_by_itself = false\n\n[languages]\nfirst = "en"\n' >>"$root/etc/onggi/kiosk.toml"
 bash "$here/visit.sh" keep "$build" "$root" "$folder/visit"

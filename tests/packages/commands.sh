@@ -1,6 +1,6 @@
 # Every command of the installed program, by the list in its own --help. Sourced by bare_debian.sh, never run.
 
-# onggi_as_visitor WORDS: where anybody may write.
+# onggi_as_visitor WORDS: runs in a folder that any user may write.
 onggi_as_visitor() { in_root env -C /tmp/work onggi "$@"; }
 leaves() {
     local file
@@ -13,7 +13,7 @@ run_throw() {
         --screenshot bowl.png --save again.onggi
     leaves bowl.glb bowl.json bowl.png again.onggi
     grep -q '"target"' "$root/tmp/work/bowl.json" || fail "expected a score against a museum's pot"
-    # The same picture as the checkout's program draws with the checkout's assets.
+    # Must draw the same picture as the checkout's program with the checkout's assets.
     "$build/onggi" throw assets/demonstrations/bowl.onggi --fired glaze --screenshot "$folder/bowl.png" >/dev/null
     cmp "$folder/bowl.png" "$root/tmp/work/bowl.png" || fail "expected the checkout's picture"
     cp "$root/tmp/work/bowl.png" "$folder/installed_bowl.png"
@@ -37,7 +37,7 @@ run_share() {
     mkdir -p "$root/tmp/work/outbox"
     (exec "${into_root[@]}" env -C /tmp/work onggi share --outbox outbox --listen 127.0.0.1 --port 0) >"$folder/share.log" 2>&1 &
     server=$!
-    # It listens before it says where.
+    # It listens before it prints the port.
     for _ in $(seq 600); do
         port=$(sed -n 's/.* port \([0-9]*\).*/\1/p' "$folder/share.log")
         [ -z "$port" ] || break
@@ -51,7 +51,7 @@ run_share() {
     echo "# onggi share: a page of $(wc -c <"$folder/share.html") bytes"
 }
 run_devices() { show onggi_as_visitor devices; }
-# Of the wheel that is installed, which nobody has started yet.
+# The status of the installed kiosk, which has not been started yet.
 run_status() {
     local status=0
     in_root onggi status --json >"$folder/status.json" || status=$?
@@ -59,7 +59,7 @@ run_status() {
         { cat "$folder/status.json"; fail "expected a wheel that was never started, and exit code 1, found $status"; }
 }
 run_doctor() { show onggi_as_visitor doctor; }
-# Without a display it says so; with one it is the visit's.
+# Without a display it reports that; visit.sh tests it with one.
 run_kiosk() {
     local status=0
     onggi_as_visitor kiosk >"$folder/kiosk_without.log" 2>&1 || status=$?
@@ -74,7 +74,7 @@ run_every_command() {
     commands=$(in_root onggi --help | awk '/^Subcommands:/ { on = 1; next } on && NF { print $1 }')
     [ "$(wc -w <<<"$commands")" -ge 8 ] || fail "expected at least eight commands, found $commands"
     for name in $commands; do
-        declare -F "run_$name" >/dev/null || fail "onggi $name: expected a test of it as installed, found none"
+        declare -F "run_$name" >/dev/null || fail "onggi $name: expected a test of the installed command, found none"
         in_root onggi "$name" --help >/dev/null
         "run_$name"
     done

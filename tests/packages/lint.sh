@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Those who read such files for a living have nothing to say of them: lintian, man and groff, the desktop's and software
-# centres' validators, bash. lint.sh PACKAGES FOLDER
+# Validators of such files report nothing: lintian, man and groff, those of the desktop and of software
+# centres, bash. lint.sh PACKAGES FOLDER
 set -euo pipefail
 packages=$1 folder=$2
 for tool in lintian man groff desktop-file-validate appstreamcli; do
@@ -9,20 +9,20 @@ done
 rm -rf "$folder"
 mkdir -p "$folder"
 lintian --fail-on error,warning "$packages"/onggi*.deb
-# It would see one: a package whose program may be written by everybody, and which has lost its copyright.
+# Lintian must find planted faults: a world-writable program and a missing copyright file.
 dpkg-deb -R "$packages"/onggi_*.deb "$folder/wrong"
 chmod 777 "$folder/wrong/usr/bin/onggi"
 rm "$folder/wrong/usr/share/doc/onggi/copyright"
 dpkg-deb --root-owner-group -b "$folder/wrong" "$folder/wrong.deb" >/dev/null
 if lintian --fail-on error,warning "$folder/wrong.deb" >"$folder/wrong.txt" 2>&1; then
-    echo "expected lintian to see what is wrong with $folder/wrong.deb"
+    echo "expected lintian to find the faults of $folder/wrong.deb"
     exit 1
 fi
 grep -q no-copyright-file "$folder/wrong.txt"
 
 for package in "$packages"/onggi*.deb; do dpkg-deb -x "$package" "$folder/tree"; done
 share=$folder/tree/usr/share
-# silent WHAT COMMAND...: it says nothing and ends well.
+# silent WHAT COMMAND...: the command must print nothing and succeed.
 silent() {
     local what=$1 said
     shift
@@ -35,7 +35,7 @@ for page in man1/onggi.1 man5/kiosk.toml.5 man8/onggi-kiosk.8; do
 done
 printf '.TH\n.nonsense \\q\n' >"$folder/page"
 [ -n "$(groff -ww -man -Tutf8 "$folder/page" 2>&1 >/dev/null)" ] || { echo "groff let nonsense pass"; exit 1; }
-# Every setting and every option of help is in its page.
+# Every setting and every option of the help is in the manual page.
 while read -r key; do
     gzip -dc "$share/man/man5/kiosk.toml.5.gz" | grep -q "^.fB$key = " || { echo "expected $key in kiosk.toml(5)"; exit 1; }
 done < <(sed -nE 's/^#?([a-z_]+) = .*/\1/p' "$share/onggi/kiosk-settings.toml")
@@ -50,7 +50,7 @@ done
 silent "the desktop file" desktop-file-validate "$share/applications/onggi.desktop"
 appstreamcli validate --no-net "$share/metainfo/onggi.metainfo.xml"
 
-# complete WORD...: what bash offers for the last of them.
+# complete_words WORD...: bash's completions of the last word.
 complete_words() {
     bash -c 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _onggi; echo "${COMPREPLY[*]}"' - \
         "$share/bash-completion/completions/onggi" "$@"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes both packages of what is built: make.sh BUILD INTO
+# Makes both packages from a build: make.sh BUILD INTO
 set -euo pipefail
 rm -f "$2"/onggi*.deb
 cpack --config "$1/CPackConfig.cmake" -B "$2"

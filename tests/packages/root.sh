@@ -1,15 +1,15 @@
-# A bare Debian 12 in a folder, and what is run in it. Sourced, never run, in a mount namespace of the script's own
-# (bare_debian.sh); `root` is where it stands, `cache` where what was fetched stays between runs.
+# A bare Debian 12 in a folder, and functions to run commands in it. Sourced, never run, in a private mount
+# namespace (bare_debian.sh); `root` is its folder, `cache` keeps downloads between runs.
 
 fail() { printf '%s\n' "$*"; exit 1; }
 say() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
-# show COMMAND...: as a transcript has it.
+# show COMMAND...: runs a command and prints it with its output.
 show() {
     printf '# %s\n' "$*"
     "$@"
 }
 
-# The smallest root that apt can go on from, made once from the machine's own sources.
+# The smallest root for apt, made once from the machine's package sources.
 unpack_bare_debian() {
     if [ ! -s "$cache/bookworm.tar" ]; then
         mkdir -p "$cache"
@@ -22,7 +22,7 @@ unpack_bare_debian() {
     tar -xf "$cache/bookworm.tar" -C "$root"
 }
 
-# What a kernel and an early systemd would have put there. Nothing of the machine's own devices.
+# File systems that the kernel and systemd would mount. None of the machine's devices.
 mount_machine() {
     local node
     mount --bind "$root" "$root"
@@ -45,10 +45,11 @@ mount_machine() {
     mount --bind "$cache/lists" "$root/var/lib/apt/lists"
 }
 
-# in_root COMMAND...; `(exec "${into_root[@]}" COMMAND...) &` for what is to be ended by its number.
+# in_root COMMAND...; `(exec "${into_root[@]}" COMMAND...) &` for a process that will be ended by its id.
 into_root=(chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin TZ=UTC LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive)
 in_root() { "${into_root[@]}" "$@"; }
-# As the service runs the wheel: its user, limits and environment, by the installed unit. A container may refuse the limits.
+# Runs a command like the service: user, limits and environment from the installed unit. A container may
+# refuse the limits.
 as_service() {
     local unit=$root/usr/lib/systemd/system/onggi-kiosk.service environment limits
     read -ra environment < <(sed -n 's/^Environment=//p' "$unit")

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# A commit gives the same packages wherever it is built: built once more from a copy elsewhere, each file compiled anew, they
-# have the same bytes. same_bytes.sh PACKAGES FOLDER
+# Builds of one commit are reproducible: built again from a copy elsewhere, without cached objects, the
+# packages have the same bytes. same_bytes.sh PACKAGES FOLDER
 set -euo pipefail
 packages=$1 folder=$2
 rm -rf "$folder"
 mkdir -p "$folder"
-# The commit, and what is changed beside it.
+# The commit, and uncommitted changes.
 git clone -q --shared . "$folder/elsewhere"
 git diff --binary HEAD >"$folder/changes"
 [ ! -s "$folder/changes" ] || git -C "$folder/elsewhere" apply "$folder/changes"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The packages hold what `cmake --install` lays down, byte for byte, and nothing else but what Debian asks of a package; each
-# file of assets/ is in one of them or has a reason not to be (not_installed.txt), and a licence;
+# The packages hold the files of `cmake --install`, byte for byte, and otherwise only files that Debian
+# requires; each file of assets/ is in one of them or has a reason in not_installed.txt, and has a licence;
 # LICENSE, copyright file and AppStream state one licence. trees.sh BUILD FOLDER
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -9,7 +9,7 @@ fail() { printf '%s\n' "$*"; exit 1; }
 rm -rf "$folder"
 mkdir -p "$folder/packed" "$folder/installed"
 
-# Hardly compressed: that would be most of the time.
+# Low compression, which would take most of the time.
 cpack --config "$build/CPackConfig.cmake" -B "$folder/packages" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip >"$folder/cpack.log" 2>&1 ||
     { cat "$folder/cpack.log"; fail "expected two packages"; }
 for name in onggi onggi-kiosk; do
@@ -20,13 +20,13 @@ for name in onggi onggi-kiosk; do
     for script in "$folder/$name.control/"{pre,post}{inst,rm}; do
         [ ! -e "$script" ] || { sh -n "$script" && [ -x "$script" ]; } || fail "expected a script of $name's that can be run: $script"
     done
-    # No file is in both: dpkg would refuse the second.
+    # No file may be in both: dpkg would refuse the second package.
     while read -r file; do
         [ ! -e "$folder/packed/$file" ] || fail "$file: expected it in one package, found it in both"
     done < <(cd "$folder/$name" && find . ! -type d -printf '%P\n')
     cp -a "$folder/$name/." "$folder/packed"
 done
-# What is packed at all, by its bytes.
+# All packed files, by their bytes.
 (cd "$folder/packed" && find . -type f -exec sha256sum {} +) | cut -d ' ' -f 1 | sort -u >"$folder/sums"
 
 DESTDIR=$folder/installed cmake --install "$build" --prefix /usr --strip >"$folder/install.log"
@@ -54,13 +54,13 @@ rmdir "$folder/packed/usr/share/lintian/overrides" "$folder/packed/usr/share/lin
 tree() { (cd "$folder/$1" && find . -printf '%y %m %p %l\n' | sort && find . -type f -exec sha256sum {} + | sort -k 2); }
 tree packed >"$folder/packed.txt"
 tree installed >"$folder/installed.txt"
-diff "$folder/installed.txt" "$folder/packed.txt" || fail "expected packages (>) that hold what is installed (<)"
+diff "$folder/installed.txt" "$folder/packed.txt" || fail "expected packages (>) that hold the installed files (<)"
 
 for document in README.md docs/*.md; do
     [ -s "$share/doc/onggi/$document" ] || fail "expected $document among the documents"
 done
 
-# Where it was built is nobody's business, and would differ between builders.
+# The build path must not be in the package: it would differ between builders.
 for path in "$PWD" "$build"; do
     if grep -rlaF "$path" "$folder/packed"; then fail "expected no file that names $path"; fi
 done
@@ -88,7 +88,7 @@ for one in "${!named[@]}"; do
     [ "${named[$one]}" -gt 0 ] || fail "not_installed.txt: expected a file that is called $one, found none"
 done
 
-# The table of licences names it, other than by the paragraph for everything.
+# The table of licences names it, other than by the catch-all paragraph.
 mapfile -t licensed < <(awk '/^Files:/ { on = 1; sub(/^Files:/, "") } /^[A-Z]/ && !/^Files:/ { on = 0 } on' assets/package/copyright.in |
     tr ' ' '\n' | grep '^assets/')
 for file in "${assets[@]}"; do
@@ -99,11 +99,11 @@ for file in "${assets[@]}"; do
     done
     $covered || fail "$file: expected a paragraph of assets/package/copyright.in that names it, found none"
 done
-# docs/licences.md has each library that the program is linked with and each font that it asks for.
+# docs/licences.md lists each linked library and each required font.
 for name in $(sed -n 's/^\(Depends\|Recommends\): //p' "$folder/onggi.control/control" | tr ',|' '\n\n' | awk '{ print $1 }'); do
     case $name in
     libxcursor1 | libxi6 | libxinerama1 | libxrandr2 | mesa-vulkan-drivers | vulkan-icd) ;;  # used by others, not linked
     *) grep -q "^|.*\`$name\`.*|.*|.*|$" docs/licences.md || fail "$name: expected its licence in docs/licences.md" ;;
     esac
 done
-echo "two packages of $(wc -l <"$folder/packed.txt") lines: what is installed, no more; ${#assets[@]} assets have a place or a reason"
+echo "two packages of $(wc -l <"$folder/packed.txt") lines: the installed files, no more; ${#assets[@]} assets have a place or a reason"

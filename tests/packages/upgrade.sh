@@ -1,13 +1,13 @@
-# What happens to settings, pots and a visit when packages come and go. Sourced by bare_debian.sh, never run.
+# Settings, pots and a visit across upgrades and removal of packages. Sourced by bare_debian.sh, never run.
 
-# install_packages FILE...: by apt, which fetches what they ask for.
+# install_packages FILE...: installs with apt, which fetches dependencies.
 install_packages() {
     show in_root apt-get -y install "${@#"$root"}" >"$folder/apt.log" 2>&1 || { tail -40 "$folder/apt.log"; fail "expected apt to install"; }
     grep -E 'newly installed|Need to get|additional disk space|^Fetched' "$folder/apt.log" || true
 }
 pots_sum() { (cd "$root/var/lib/onggi" && find gallery -path gallery/state -prune -o -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum); }
 
-# make_later PACKAGE INTO: the same package with a later version, and another default in the settings it brings.
+# make_later PACKAGE INTO: repacks it with a later version and another default setting.
 make_later() {
     local work
     work=$(mktemp -d -p "$folder")
@@ -39,7 +39,7 @@ upgrade_between_two_halves_of_a_visit() {
     [ "$pots" = "$(pots_sum)" ] || fail "expected the pots to stay"
     echo "settings, limits and pots are as they were"
     bash "$here/visit.sh" resume "$build" "$root" "$folder/second_half"
-    # What somebody has switched off stays off.
+    # A disabled service stays disabled.
     in_root systemctl disable -q onggi-kiosk
     in_root dpkg -i "/tmp/later/$(basename "$root"/tmp/later/onggi-kiosk_*.deb)" >"$folder/again.log" 2>&1
     [ "$(in_root systemctl is-enabled onggi-kiosk || true)" = disabled ] || fail "expected a disabled wheel to stay disabled"
@@ -52,7 +52,7 @@ purge_but_for_pots() {
     show in_root apt-get -y purge onggi-kiosk onggi >"$folder/purge.log" 2>&1 || { cat "$folder/purge.log"; fail "expected apt to purge"; }
     [ "$pots" = "$(pots_sum)" ] || fail "expected the pots to stay"
     show in_root find /var/lib/onggi -path '*/pot-*' -printf '%M %u %s %p\n'
-    # Nothing of ours is left but them, their owner, and what systemd and dpkg keep for themselves.
+    # Only the pots, their owner, and files of systemd and dpkg may be left.
     left=$(in_root find / -xdev -iname '*onggi*' -not -path '/tmp/*' -not -path '/var/lib/onggi*' -not -path '/proc/*' \
         -not -path '/var/cache/apt/archives/*')
     [ -z "$left" ] || fail "expected nothing left, found: $left"

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# A visitor at the installed kiosk, which runs in its root under cage on wlroots' headless back end, as the unit starts and
-# stops it. The visitor's own tools stay outside: they reach Xwayland by its abstract socket.
-# visit.sh keep|begin|resume BUILD ROOT FOLDER: to a kept pot; until the clay is open, when the service is stopped;
-# or on from there.
+# A visitor at the installed kiosk, which runs in its root under cage on wlroots' headless back end, as the
+# unit starts and stops it. The visitor's own tools stay outside: they reach Xwayland by its abstract socket.
+# visit.sh keep|begin|resume BUILD ROOT FOLDER: keep: up to a kept pot; begin: until the clay is open, then
+# stops the service; resume: continues from there.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 what=$1 build=$2 root=$3
 source "$here/root.sh"
 
-# Which the compositor gave the wheel; there is one in this namespace. A process may be gone while it is looked at.
+# The display that the compositor gave the kiosk; there is one in this namespace. A process may end during the
+# search.
 display_of_kiosk() {
     local process display
     for process in $(pgrep --exact onggi); do
@@ -19,7 +20,7 @@ display_of_kiosk() {
 }
 has_display() { DISPLAY=$(display_of_kiosk 2>/dev/null); }
 
-# In the place of visitor.sh's: by the starter, with the settings in /etc/onggi.
+# Replaces visitor.sh's open_kiosk: uses the start script, with the settings in /etc/onggi.
 open_installed() {
     # RuntimeDirectory= and its mode.
     in_root install -d -o onggi -g onggi -m 0700 /run/onggi
@@ -31,7 +32,7 @@ open_installed() {
     wait_for "display" has_display
     export DISPLAY
 }
-# Locked: no key ends it, systemd does.
+# The kiosk is locked: no key ends it, systemd does.
 end_installed() {
     (as_service MAINPID="$kiosk" /usr/lib/onggi/kiosk stop)
 }
@@ -41,7 +42,7 @@ installed_onggi() {
     in_root onggi "${words[@]}"
 }
 
-# All that doctor may miss is what this machine has none of: a sound card, and what a container refuses.
+# `onggi doctor` may report only a missing sound card and what a container refuses.
 look_for_lacks() {
     local lacks
     (as_service DISPLAY="$DISPLAY" onggi doctor) | tee doctor.txt
@@ -52,10 +53,10 @@ look_for_lacks() {
     grep -q '^good     display' doctor.txt || fail "expected a display"
 }
 
-# What the house's monitoring sees of it, as a user of the wheel's group.
+# The status for the museum's monitoring, as a user in the group onggi.
 is_well() { chroot --userspec=65533:"$(in_root id -g onggi)" "$root" onggi status --json >status.json; }
 
-# Xwayland answers whoever has its owner's number.
+# Xwayland accepts clients with its owner's user id.
 as_owner() { setpriv --reuid="$owner" --regid="$owner" --clear-groups "$@"; }
 xdotool() { as_owner xdotool "$@"; }
 ! command -v import >/dev/null || import() { as_owner import "$@"; }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr KernelVariant kVariants[] = {KernelVariant::kPlain, KernelVariant::kWide};
 
-// The state after a gesture, and every force on the way there.
+// The state after a gesture, and every force during it.
 struct Outcome {
     std::uint64_t state = 0;
     std::uint64_t forces = 0;
@@ -36,7 +36,7 @@ Outcome play(PaperClay clay, std::span<const ToolInput> gesture, const PaperPara
     return {clay.state_hash(), forces.value()};
 }
 
-// If a change of the equations is meant, these change, and so does every stored session: say so in its
+// An intended change of the equations changes these values and every stored session: raise the session
 // version.
 TEST(Determinism, GivesTheBitsItAlwaysGave) {
     const Outcome vase = play(PaperClay(), vase_gesture(1000.0), {});

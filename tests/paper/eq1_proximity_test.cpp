@@ -71,7 +71,7 @@ TEST(Eq1Proximity, FindsWhatVisitingEveryElementFinds) {
     }
 }
 
-// The storage is filled up to a whole block of eight. Whatever the count, what fills it is no clay.
+// The storage is padded to a multiple of eight. The padding is never clay.
 TEST(Eq1Proximity, NeverCountsTheFillingOfTheLastBlock) {
     for (int count = 100; count <= 117; ++count) {
         for (const KernelVariant variant : {KernelVariant::kPlain, KernelVariant::kWide}) {

@@ -124,10 +124,11 @@ TEST(Eq2Deformation, MakesTheSamePotAt500HzAndAt8kHz) {
     const PaperClay fast = thrown_at(8000.0);
     EXPECT_LT(rms_difference_mm(slow.radii_mm(), fast.radii_mm()), 0.1);
     EXPECT_LT(rms_difference_mm(paper.radii_mm(), fast.radii_mm()), 0.1);
-    EXPECT_GT(rms_difference_mm(PaperClay().radii_mm(), fast.radii_mm()), 5.0);  // a pot was thrown at all
+    EXPECT_GT(rms_difference_mm(PaperClay().radii_mm(), fast.radii_mm()),
+              5.0);  // the gesture did throw a pot
 }
 
-// With plain floats this stands still as soon as a step is below half a unit in the last place, 0.008 mm off.
+// With plain floats this stops as soon as a step is below half a unit in the last place, 0.008 mm too early.
 TEST(Eq2Deformation, AddsUpStepsThatAFloatAloneWouldLose) {
     const PaperParameters fast{.rate_hz = 10000.0};
     PaperClay clay;

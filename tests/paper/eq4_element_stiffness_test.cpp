@@ -10,7 +10,7 @@
 namespace onggi::clay {
 namespace {
 
-// Clay of which one ring stands out so far that a tool touches it alone.
+// Clay with one ring that protrudes so far that a tool touches only this ring.
 constexpr int kRing = 1000;
 constexpr double kRingHeightMm = 100.05;
 
@@ -105,7 +105,7 @@ TEST(Eq4ElementStiffness, IsANumberOnTheAxisAndKeepsItsDirectionThere) {
         }
         ASSERT_EQ(forces.stiffness_n.z > 0.0, step > 0) << "keeps pointing to -Z until it is beyond";
     }
-    // So close that the square of the distance is no number any more.
+    // So close that the square of the distance underflows.
     const ContactForces close =
         clay.tick({.position_mm = {1e-200, 100.03, -1e-200}, .wheel_turning = true}, {});
     EXPECT_GT(close.stiffness_n.z, 1.0);

@@ -57,7 +57,7 @@ TEST(Eq5MeanStiffness, HardlyDependsOnTheNumberOfElements) {
 }
 
 TEST(Eq5MeanStiffness, IsSummedWellWithMoreElementsThanAnyPotHas) {
-    // 80 000 elements in contact: what eight float lanes lose must stay far below what a hand feels.
+    // 80 000 elements in contact: the rounding of eight float lanes must stay far below what a hand feels.
     PaperClay clay({.element_count = 200000});
     PaperReference reference({.element_count = 200000});
     const ToolInput tool = tool_in_wall(45.0, false, 40.0, 100.0003);

@@ -1,4 +1,4 @@
-// The clay against the equations in double, visiting every element: movements nobody chose by hand.
+// Compares the clay with the equations in double, evaluated for every element, on random movements.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace {
 constexpr double kProfileToleranceMm = 0.005;
 constexpr double kForceToleranceN = 0.002;
 
-// An element that the tool just meets counts or does not by a proximity of the size of a rounding error. The
-// mean of Eq. (5) is then over one element more or less, which is a visible step where the tool is deep. It
-// is rare, and no arithmetic is free of it: seldom more often than once in a hundred thousand ticks.
+// Whether an element at the edge of contact counts may depend on a rounding error. The mean of Eq. (5) is
+// then over one element more or less, a visible step when the tool is deep. No arithmetic avoids this; it
+// happens at most about once in a hundred thousand ticks.
 constexpr int kMostTicksWithOtherContacts = 1;
 
 struct Trial {

@@ -1,5 +1,5 @@
-// Every pipeline that a GPU may draw with, compiled by Mesa's driver for AMD without the hardware. No more
-// than that can be asked of it: it makes no views of images.
+// Compiles every pipeline for GPUs with Mesa's driver for AMD, without hardware. It can do no more than
+// compile: it creates no image views.
 #include <gtest/gtest.h>
 
 #include "engine/render/frame/still_meshes.h"
@@ -35,8 +35,8 @@ TEST(MesasCompilerForAmd, TakesEveryShaderOfEveryStep) {
         EXPECT_NE(frame.pipelines.lathe_section.get(), VkPipeline{VK_NULL_HANDLE});
         EXPECT_NE(frame.pipelines.still.get(), VkPipeline{VK_NULL_HANDLE});
     }
-    // Without hardware there is nothing to wait for, and the driver falls over that: the process takes both
-    // along.
+    // The driver crashes when it waits for absent hardware on destruction, so both objects are leaked until
+    // the process ends.
     static const vk::Device* const kept_device = opened->device.release();
     static const vk::Instance* const kept_instance = opened->instance.release();
     EXPECT_NE(kept_device, nullptr);

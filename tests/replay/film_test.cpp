@@ -39,7 +39,7 @@ std::unique_ptr<FilmMaker> maker_of(const FilmDesc& desc) {
     return std::move(maker).value();
 }
 
-// A band of iron half way up the pot that it leaves.
+// A band of iron half way up the session's pot.
 decoration::Recorded iron_band() {
     LoadedSession loaded = two_hands();
     Replay replay(loaded.session, std::move(loaded.start));
@@ -55,7 +55,7 @@ decoration::Recorded iron_band() {
     return canvas.recorded();
 }
 
-// What `throw --screenshot` leaves after so many ticks of the session.
+// The picture of `throw --screenshot` after `ticks` ticks of the session.
 asset::Image screenshot_after(std::uint64_t ticks) {
     const test::TemporaryFolder folder;
     auto performance = load_performance({.file = kTwoHands});
@@ -107,7 +107,7 @@ TEST(Film, ShowsTheScreenshotsOfItsTicksToTheByteAndPacksThemInTheirOrder) {
     }
 }
 
-// Draws all of it, and gives the file.
+// Draws the whole film. Returns the file.
 Result<std::vector<std::byte>> film_of(const FilmDesc& desc) {
     const auto maker = maker_of(desc);
     for (bool goes_on = true; goes_on;) {

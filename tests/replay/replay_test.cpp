@@ -87,7 +87,7 @@ TEST(DecoratedSession, SaysThatItsStrokesComeToSomethingElse) {
     const auto difference = find_difference(session.session, std::move(session.start), session.decoration);
     ASSERT_TRUE(difference);
     EXPECT_EQ(sentence_for(*difference),
-              "every tick is as recorded, but what its strokes come to is not what was recorded");
+              "every tick is as recorded, but its strokes give another texture than recorded");
 }
 
 TEST(DecoratedSession, IsRefusedWhereItsStrokesAreNone) {
@@ -129,8 +129,8 @@ TEST(StoredSession, IsRecordedAgainToTheByte) {
     }
 }
 
-// A whole pot of the studio's clay by two hands, wet ones, with every tool there is. The hash stands here and
-// not only in the file, so that a recording made anew without a word is noticed as well.
+// A whole pot of the studio's clay by two hands, wet ones, with every tool there is. The hash is here and not
+// only in the file, so that a silently replaced recording is noticed too.
 TEST(StoredSession, OfTheStudioClayEndsInTheStateThatWasStored) {
     LoadedSession session = loaded(stored("two-hands-250hz.onggi"));
     haptic::Start& start = session.start;
@@ -154,7 +154,7 @@ TEST(StoredSession, OfTheStudioClayEndsInTheStateThatWasStored) {
     EXPECT_EQ(fmt::format("{:016x}", start.state.hash()), "5a5f1a1514b98150");
 }
 
-// A finger that lands and lifts: what is recorded says when it was in the clay, wherever it stood.
+// A finger that lands and lifts: the recording says when it touched the clay.
 TEST(StoredSession, OfOneFingerLeavesTheClayAloneWhereItDoesNotPress) {
     LoadedSession session = loaded(stored("one-finger-250hz.onggi"));
     haptic::Start& start = session.start;
@@ -180,7 +180,7 @@ TEST(StoredSession, OfOneFingerLeavesTheClayAloneWhereItDoesNotPress) {
     EXPECT_EQ(start.state.studio()->ledger_error_mm3(), 0.0);
 }
 
-// What is taken back leaves no trace in a session; but whoever takes back and does it again is where he was.
+// An undone move leaves no trace in a session; repeating it leads to the same state.
 TEST(StoredSession, EndsTheSameWhenAMoveIsTakenBackAndDoneAgain) {
     LoadedSession session = loaded(stored("two-hands-250hz.onggi"));
     haptic::History history(session.start.state, session.start.parameters);
@@ -224,7 +224,7 @@ TEST(Replay, NoticesAnotherStart) {
               "0 to 0: the start state is not the one that was recorded");
 }
 
-// What a clay that has changed since the recording comes to: noticed at the first tick that is felt.
+// If the clay model has changed since the recording, the first tick with another force is reported.
 TEST(Replay, NamesTheFirstTickThatADifferentClayFeels) {
     LoadedSession session = loaded(stored("vase-100hz.onggi"));
     // Where the recorded hand first touches.
@@ -242,7 +242,7 @@ TEST(Replay, NamesTheFirstTickThatADifferentClayFeels) {
 }
 
 TEST(Replay, NarrowsAStateThatIsNotFeltToItsBlock) {
-    // Without friction nobody feels how fast the wheel turns: only the state's hash knows where it stands.
+    // Without friction no force depends on the wheel's speed: only the state's hash shows its angle.
     const TemporaryFolder folder;
     auto performance = load_performance({.file = stored("vase-100hz.onggi")});
     ASSERT_TRUE(performance);

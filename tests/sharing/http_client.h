@@ -1,5 +1,4 @@
-// A client that says exactly what a test wants it to say, also what no honest one would. Blocks, within
-// limits.
+// A client that sends exactly the given bytes, valid or not. Blocks, with timeouts.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +9,16 @@
 namespace onggi::test {
 
 struct HttpAnswer {
-    int status = 0;                              // 0: there was none, or it is no HTTP
-    std::map<std::string, std::string> headers;  // names in small letters
+    int status = 0;                              // 0: no answer, or not HTTP
+    std::map<std::string, std::string> headers;  // lower-case names
     std::string body;
 };
 
-// A connection to 127.0.0.1, closed with it; from another address of this machine where that is said, such as
+// A connection to 127.0.0.1, closed by the destructor; optionally from another local address, such as
 // 0x7f010203 for 127.1.2.3.
 class HttpClient {
   public:
-    // Waits so long for each answer, which scaled() makes longer on a slow machine.
+    // wait_ms: the timeout of each answer, which scaled() extends on a slow machine.
     explicit HttpClient(int port, int wait_ms = 30'000, std::uint32_t from = 0x7f000001);
     HttpClient(HttpClient&& other) noexcept;
     HttpClient(const HttpClient&) = delete;
@@ -27,11 +26,11 @@ class HttpClient {
     ~HttpClient();
 
     [[nodiscard]] bool is_open() const { return socket_ >= 0; }
-    // False where the server has closed the connection.
+    // Returns false if the server has closed the connection.
     bool say(std::string_view bytes) const;
-    // Of a request that was said; `has_body` false for HEAD.
+    // The answer to a sent request; `has_body` false for HEAD.
     [[nodiscard]] HttpAnswer answer(bool has_body = true);
-    // What comes until the server closes; empty where nothing does. `closed` tells whether it did in time.
+    // Everything received until the server closes; may be empty. `closed`: whether it closed in time.
     [[nodiscard]] std::string rest(bool* closed = nullptr);
 
   private:

@@ -1,4 +1,4 @@
-// Server and writer killed at any moment: a phone gets a whole pot or none.
+// Server and writer are killed at any moment: a phone gets a whole pot or none.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -29,14 +29,14 @@ namespace fs = std::filesystem;
     }
 }
 
-// Microseconds from the start of a process to its kill. A busy machine gets little done in that time: the
-// test then adds rounds, and `more_rounds` lengthens the time.
+// Microseconds from the start of a process to its kill. A busy machine does little in that time: then the
+// test adds rounds, and `more_rounds` extends the time.
 useconds_t moment_us(unsigned least, unsigned most, std::mt19937& chance, int more_rounds) {
     const unsigned any = least + static_cast<unsigned>(chance()) % (most - least);
     return static_cast<useconds_t>(slowness() * any * (1 + more_rounds));
 }
 
-// Every folder that has a code for a name is a whole pot.
+// Checks that every folder with a code as its name is a whole pot.
 void expect_whole_pots(const fs::path& box, const std::set<std::string>& names) {
     for (const auto& entry : fs::directory_iterator(box)) {
         if (!sharing::ShareCode::read_exactly(entry.path().filename().string())) continue;
@@ -111,9 +111,9 @@ TEST(KilledServer, ServesWholePotsAfterEveryStart) {
             alive = client.is_open() && client.say("GET " + target + " HTTP/1.1\r\nHost: pots\r\n\r\n");
             const HttpAnswer answer = alive ? client.answer() : HttpAnswer{};
             alive = answer.status != 0;
-            // On a quick machine this asks more often than one address may: nothing of a pot comes then.
+            // A fast machine may exceed the limit of requests per address, which yields no pot.
             if (answer.status == 429) continue;
-            // Cut short in the middle a phone knows by the length; what came is of the pot.
+            // A phone detects a truncated answer by its length; the received bytes must be the pot's.
             EXPECT_TRUE(!alive || answer.headers.at("content-length") == std::to_string(whole.size()));
             EXPECT_TRUE(whole.starts_with(answer.body));
             if (answer.body == whole) ++answers;

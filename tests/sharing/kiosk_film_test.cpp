@@ -1,4 +1,4 @@
-// The film of a visit, made by the built program beside the test, as beside the wheel.
+// The film of a visit, made by the built program as a separate process, as in the kiosk.
 #include "game/app/kiosk/keeping/kiosk_phone.h"
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@
 namespace onggi::app {
 namespace {
 
-// Its maker gets what nobody else wants of the processor; here others are always at work, who would leave it
-// nothing. Where that is refused, it takes longer.
+// Raises the film process from idle priority, since a busy test machine would leave it no processor time. If
+// that is refused, it takes longer.
 void let_makers_compete() {
     const std::string makers = fmt::format("$(pgrep --parent {})", ::getpid());
     static_cast<void>(std::system(
@@ -76,7 +76,7 @@ TEST_F(KioskFilmTest, ComesToNothingWithoutASessionOrAGlazeOrAProgram) {
     EXPECT_FALSE(film_.begin(folder_.path() / "none.onggi"));
     std::ofstream(folder_.path() / "bad.onggi") << "no session";
     ASSERT_TRUE(film_.begin(folder_.path() / "bad.onggi"));
-    film_.finish_in("iron", nullptr);  // whether or not anybody still listens
+    film_.finish_in("iron", nullptr);  // even if there is no receiver any more
     ASSERT_TRUE(ends(film_));
     EXPECT_FALSE(film_.files());
 
@@ -107,7 +107,7 @@ TEST_F(KioskFilmTest, IsDroppedWithWhoMakesItByTheNext) {
     EXPECT_FALSE(fs::exists(place_));
 }
 
-// A visitor who does not wait, nor anybody for a film that is late, has its page all the same.
+// A page is published without waiting for a late film.
 TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
     KioskPhone phone(settings_, test::in_build("onggi"), 0);
     ASSERT_TRUE(phone.start());

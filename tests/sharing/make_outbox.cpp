@@ -1,6 +1,6 @@
 // make_outbox SESSION FOLDER [--glaze NAME] [--decorated] [--poster FILE] [--film FILE] [--surface FILE]
 // [--url URL]: puts the pot that a session left into the outbox FOLDER/box, as the kiosk does, with Korean,
-// English and Arabic pages, for checks that other programs make; and lays what was put beside it, as
+// English and Arabic pages, for checks that other programs make; and copies the published files to
 // FOLDER/pot.glb and so on. Prints the code.
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Two hundred phones fetch everything from a pot's folder, all at once and again and again, while a pot is
-// thrown at 4 kHz and drawn beside the server on the same machine: in turns with nobody fetching, in one run.
-// The phones are no part of that machine in a museum, so here they get only what nobody else wants of it.
+// thrown at 4 kHz and drawn beside the server on the same machine: alternating with periods without phones,
+// in one run. In a museum the phones are other machines, so here they run with idle priority.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -25,7 +25,7 @@ namespace {
 constexpr int kPhones = 200;
 constexpr int kTurns = 3;
 
-// Sizes of a real pot's files; bytes that no packing makes smaller.
+// Sizes of a real pot's files; incompressible bytes.
 std::vector<std::byte> any_bytes(std::size_t count, std::uint32_t seed) {
     std::vector<std::byte> bytes;
     bytes.reserve(count);
@@ -46,7 +46,7 @@ sharing::SharedPot pot_of_real_size() {
     return pot;
 }
 
-// What a phone that wants everything asks for, and what it is to get.
+// All paths that a phone can request, and the expected content.
 std::map<std::string, std::string> everything_in(const std::filesystem::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -65,7 +65,7 @@ class Phones {
     Phones& operator=(const Phones&) = delete;
     ~Phones() { leave(); }
 
-    // Once everything that was asked for is there.
+    // Leaves when everything requested has arrived.
     void leave() {
         leaving_ = true;
         if (thread_.joinable()) thread_.join();
@@ -107,7 +107,7 @@ class Phones {
     const std::map<std::string, std::string>& files_;
     std::atomic<bool> leaving_ = false;
     std::atomic<long> fetched_ = 0;
-    std::string trouble_;  // the thread's until it has been joined
+    std::string trouble_;  // belongs to the thread until it is joined
     std::thread thread_;
 };
 
@@ -129,7 +129,7 @@ Times wheel_at_work(const TemporaryFolder& folder) {
             .frame_ms = found.at("frame_ms").at("p99").get<double>()};
 }
 
-// Of all its life so far, MB.
+// The process's peak memory, MB.
 double most_memory_mb(int process) {
     std::ifstream status(fmt::format("/proc/{}/status", process));
     for (std::string line; std::getline(status, line);)
@@ -137,7 +137,7 @@ double most_memory_mb(int process) {
     return 0.0;
 }
 
-// A neighbour on the machine makes a turn slower, and never faster.
+// Other load makes a turn slower, never faster: take the least.
 double least(const std::vector<Times>& turns, double Times::*time) {
     double found = turns.front().*time;
     for (const Times& turn : turns)
@@ -170,12 +170,12 @@ TEST(Phones, TwoHundredAtOnceTakeNothingFromTheWheelNorFromThePicture) {
     EXPECT_GE(fetched, static_cast<long>(kPhones * files.size())) << "less than everything to each";
     EXPECT_GT(memory_mb, 0.0);
     EXPECT_LE(memory_mb, 64.0);
-    // The phones' own copying, which no museum's machine does, goes through the same caches and memory: a
-    // quarter more was measured where nobody else was at work.
+    // The phones' own copying shares caches and memory here, unlike in a museum: a quarter more time was
+    // measured on an idle machine.
     constexpr double kMostRatio = 1.6;
     EXPECT_LE(least(beside, &Times::frame_ms), kMostRatio * least(alone, &Times::frame_ms));
     EXPECT_LE(least(beside, &Times::tick_us), kMostRatio * least(alone, &Times::tick_us));
-    // Waking is short and coarse: beside a period of 250 us it may be a few more.
+    // Wake-up latency is short and coarse: a few us more are tolerable in a period of 250 us.
     EXPECT_LE(least(beside, &Times::wake_us), kMostRatio * least(alone, &Times::wake_us) + 25.0);
 }
 

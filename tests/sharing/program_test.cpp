@@ -1,4 +1,4 @@
-// `onggi share` as a program: what it refuses, what it can reach, how it ends.
+// `onggi share` as a program: refusals, access to files, and its end.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -31,9 +31,10 @@ TEST(ShareProgram, RefusesInOneLineWhatItCannotServe) {
         std::string line;
     } kCases[] = {
         {{}, 2, "onggi: onggi share: expected --config, or --outbox and --listen, found neither\n"},
-        {{"--outbox", folder / "none", "--listen", "127.0.0.1"},
+        {{"--outbox", folder / "off.toml", "--listen", "127.0.0.1"},
          2,
-         "onggi: " + (folder / "none").string() + ": expected a folder of shared pots, found none\n"},
+         "onggi: " + (folder / "off.toml").string() +
+             ": expected a folder of shared pots, found something else\n"},
         {{"--outbox", box, "--listen", "127.0.0.1", "--port", port},
          3,
          "onggi: sharing: expected to listen at 127.0.0.1, port " + port +
@@ -63,6 +64,21 @@ TEST(ShareProgram, RefusesInOneLineWhatItCannotServe) {
     }
 }
 
+TEST(ShareProgram, WaitsForTheFolderThatTheKioskMakes) {
+    const TemporaryFolder folder;
+    const std::string box = (folder / "box").string();
+    RunningOnggi server({"share", "--outbox", box, "--listen", "127.0.0.1", "--port", "0"});
+    EXPECT_TRUE(
+        comes_true([&] { return server.printed().find("waiting for the folder") != std::string::npos; }));
+    std::filesystem::create_directory(box);
+    EXPECT_EQ(get(port_said_by(server), "/").status, 200);
+    RunningOnggi impatient({"share", "--outbox", box + "2", "--listen", "127.0.0.1", "--port", "0"});
+    EXPECT_TRUE(
+        comes_true([&] { return impatient.printed().find("waiting for the folder") != std::string::npos; }));
+    impatient.signal(SIGTERM);
+    EXPECT_EQ(impatient.exit_code(), 0);
+}
+
 // A server that waited for its clients would never end here.
 TEST(ShareProgram, EndsWhenAskedAlthoughAClientGoesOnAsking) {
     ServedOutbox served;
@@ -86,7 +102,7 @@ TEST(ShareProgram, ReadsTheSettingsAndForgetsThem) {
     RunningOnggi server({"share", "--config", (folder / "kiosk.toml").string()});
     ASSERT_EQ(port_said_by(server), port.number());
     ASSERT_EQ(get(port.number(), "/").status, 200) << server.printed();
-    // No page of its memory that it could write has a word of them.
+    // No writable page of its memory contains them.
     const std::string process = "/proc/" + std::to_string(server.process());
     std::ifstream maps(process + "/maps");
     std::ifstream memory(process + "/mem", std::ios::binary);

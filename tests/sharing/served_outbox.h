@@ -1,4 +1,4 @@
-// An outbox with pots in it and `onggi share` at work on it, for a test.
+// An outbox with pots, served by `onggi share`, for a test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@
 
 namespace onggi::test {
 
-// Ten hours from the machine's own time, by which the program goes.
+// Ten hours from now by the machine's clock, which the program uses.
 inline sharing::ShareTime from_now(std::int64_t stays_s = 36'000) {
     const std::int64_t now_s = std::time(nullptr);
     return {.now_s = now_s, .expires_s = now_s + stays_s};

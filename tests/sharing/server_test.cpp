@@ -1,4 +1,4 @@
-// What an honest phone gets.
+// The answers to an honest phone.
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -75,7 +75,7 @@ TEST(ShareServer, SaysKindlyThatThereIsNoPot) {
     EXPECT_EQ(get(served.port(), "/" + withdrawn + "/").status, 200);
     ASSERT_TRUE(*served.outbox().withdraw(*sharing::ShareCode::read(withdrawn)));
     ::usleep(1'100'000);
-    ASSERT_TRUE(std::filesystem::exists(served.box() / expired)) << "nobody has cleared up";
+    ASSERT_TRUE(std::filesystem::exists(served.box() / expired)) << "before any clean-up";
     std::string said;
     for (const std::string& target :
          {"/" + withdrawn + "/", "/" + expired + "/", std::string("/7777ZZZZ/")}) {
@@ -83,7 +83,7 @@ TEST(ShareServer, SaysKindlyThatThereIsNoPot) {
         EXPECT_EQ(lost.status, 404) << target;
         EXPECT_NE(lost.body.find("<html lang=\"ko\""), std::string::npos);
         if (said.empty()) said = lost.body;
-        EXPECT_EQ(lost.body, said) << "nobody can tell which";
+        EXPECT_EQ(lost.body, said) << "indistinguishable";
     }
     EXPECT_EQ(get(served.port(), "/" + expired + "/pot.glb").status, 404);
     EXPECT_EQ(get(served.port(), "/").status, 200);
@@ -96,7 +96,7 @@ TEST(ShareServer, KeepsAllOverARestartOfTheProgram) {
     const std::string code = served.put(support::full_pot("one"));
     EXPECT_EQ(get(port.number(), "/" + code + "/").status, 200);
     served.server().signal(SIGKILL);
-    // Only when it is gone may another listen: on a busy machine the kernel takes a while to close it.
+    // Wait for its end before another may listen: on a busy machine the kernel takes a while to close it.
     EXPECT_EQ(served.server().exit_code(), -1) << "killed, not ended";
     ASSERT_FALSE(served.server().at_work());
     RunningOnggi again({"share", "--outbox", served.box().string(), "--listen", "127.0.0.1", "--port",
@@ -125,7 +125,7 @@ TEST(ShareServer, CountsPagesThroughAPipeAndNothingElse) {
 TEST(ShareServer, ServesNothingButWhatLiesInTheOutbox) {
     ServedOutbox served;
     const std::string code = served.put(support::full_pot("one"));
-    // Somebody has got into the outbox: links and pipes lead nowhere.
+    // An intruder has written to the outbox: links and pipes are not followed.
     const auto place = served.box() / code;
     put_file(served.folder() / "secret", "staff's PIN");
     std::filesystem::remove(place / "pot.stl");

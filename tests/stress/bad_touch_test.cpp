@@ -1,5 +1,5 @@
-// A visitor's touch that goes wrong, through the whole program: the hand lets go, the clay stays whole, and
-// the next touch is as good as any.
+// A visitor's touch that is interrupted, through the whole program: the hand releases, the clay stays intact,
+// and the next touch works.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -31,7 +31,7 @@ class BadTouch : public testing::Test {
         kiosk.frame();
         ASSERT_TRUE(presses());
     }
-    // And nothing but another touch presses again.
+    // Checks that the hand has released and presses again only after another touch.
     void expect_let_go(const char* what) {
         EXPECT_TRUE(kiosk.until([&] { return !presses(); })) << what;
         for (int frame = 0; frame < 20; ++frame) {
@@ -84,7 +84,7 @@ TEST_F(BadTouch, IsNoneWhileAMouseOnlyPasses) {
     }
 }
 
-// A key's hands work on for a second; who takes up a tool meanwhile need not wait for them.
+// Hands moved by a key work on for a second; a visitor can pick up a tool meanwhile.
 TEST_F(BadTouch, LeavesTheTrayOpenThatIsAskedForWhileItGoesOn) {
     kiosk.press_key(window::Key::kLeft);
     ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().result.forces.contacts > 0; }, kSlowly));

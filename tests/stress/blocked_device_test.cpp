@@ -1,5 +1,5 @@
-// A device whose bus is stuck: the tick does not notice. The same job is run beside a device that takes a
-// report at once and beside one that blocks for 5 ms in each, in turns, and what a tick costs is compared.
+// A blocked device bus does not delay the tick. The same job runs alternately with a device that takes
+// reports at once and one that blocks for 5 ms in each, and the costs of a tick are compared.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A DualSense that reports every ms, its stick held outwards, so that it has the tool. Whatever it was told,
-// its cross is let go and pressed again, which starts or stops the wheel: there is a new light to be told as
-// soon as its driver may, every 10 ms, and half of the time it is being told.
+// A DualSense that reports every ms with its stick held outwards, so that it holds the tool. After each write
+// its cross button is released and pressed, which starts or stops the wheel: so the driver has a new light to
+// send every 10 ms, and half of the time a write is in progress.
 class SlowPort final : public haptics::hid::HidPort {
   public:
     SlowPort(std::chrono::milliseconds write_takes, std::atomic<int>& writes)
@@ -81,7 +81,7 @@ struct Cost {
     std::uint64_t skipped = 0;
     int writes = 0;
 
-    // Of several runs, what the machine's own unrest has added least to.
+    // Keeps the least of several runs, which other load has disturbed least.
     void keep_the_best_of(const Cost& other) {
         p50_ns = std::min(p50_ns, other.p50_ns);
         p90_ns = std::min(p90_ns, other.p90_ns);
@@ -121,7 +121,7 @@ Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
             .writes = writes.load()};
 }
 
-// The I/O thread gets few turns on a busy machine. Such a run says nothing and is repeated.
+// On a busy machine the I/O thread gets few turns. Such a run is invalid and is repeated.
 constexpr int kFewWrites = 40;
 Cost told_all_the_time(std::chrono::milliseconds write_takes) {
     Cost cost = cost_of_a_tick(write_takes);
@@ -133,13 +133,13 @@ Cost told_all_the_time(std::chrono::milliseconds write_takes) {
 TEST(ABlockedDevice, CostsTheTickNothing) {
     Cost quick = told_all_the_time(0ms);
     Cost blocked = told_all_the_time(5ms);
-    // Did the tick wait for the I/O thread, one in seven would take up to 5 ms, and nearly half of all
-    // periods would be skipped meanwhile.
+    // If the tick waited for the I/O thread, one in seven would take up to 5 ms, and nearly half of all
+    // periods would be skipped.
     const auto costs_nothing = [&] {
         return blocked.p50_ns < 2 * quick.p50_ns + 20'000U && blocked.p90_ns < 2 * quick.p90_ns + 200'000U &&
                blocked.p90_ns < 1'000'000U && blocked.skipped < quick.skipped + kPeriods / 10;
     };
-    // A busy machine needs more turns until one of each kind was left undisturbed.
+    // A busy machine needs more turns until one of each kind was undisturbed.
     for (int turn = 0; turn < 3 || (turn < 15 && !costs_nothing()); ++turn) {
         quick.keep_the_best_of(told_all_the_time(0ms));
         blocked.keep_the_best_of(told_all_the_time(5ms));

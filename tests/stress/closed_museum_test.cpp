@@ -1,5 +1,5 @@
-// Outside the opening hours, by a clock of the test's own: the screen goes dim and the wheel falls silent;
-// who comes all the same is served, and in the morning all is as it was.
+// Outside the opening hours, on a virtual clock: the screen dims and the wheel is silent; a late visitor is
+// still served, and in the morning everything is normal again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using kiosk::Screen;
 
 constexpr int kHourMin = 60;
 
-// A loudspeaker that knows how loud the last block was.
+// A loudspeaker that measures the last block's level.
 class Ear final : public sound::SoundPlayer {
   public:
     explicit Ear(std::atomic<float>& peak) : peak_(peak) {}
@@ -60,7 +60,7 @@ class Museum : public testing::Test {
         made.loudspeaker = [&peak] { return std::make_unique<Head>(peak); };
         return made;
     }
-    // Of the whole picture, once it is composed and has gone over.
+    // The mean brightness of the picture after the transition.
     double brightness(bool is_dim) {
         EXPECT_TRUE(kiosk.until([&] { return kiosk.shown_closed() == is_dim; }));
         for (int look = 0; look < 20; ++look)  // two seconds: the room's own evening eases in

@@ -1,5 +1,5 @@
-// Simulated decorators on a pot of their own: what they drew is where they drew it, in the picture and in
-// what is kept.
+// Simulated visitors decorate a pot: their strokes appear where they drew them, in the picture and in the
+// kept files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,8 +37,8 @@ class Decorators : public testing::Test {
         height_mm_ = scale * wet.height_mm;
         px_per_mm_ = (at(1.0, 0.0).x - at(-1.0, 0.0).x) / (2.0 * radius_mm_);
     }
-    // Of the half of the wall that is seen: across from its middle, 1 is its side; up from its middle, 0.5 is
-    // its rim.
+    // A pixel on the visible half of the wall: across from its middle, 1 is its side; up from its middle, 0.5
+    // is its rim.
     [[nodiscard]] dvec2 at(double across, double up) const {
         const double beside_mm = across * radius_mm_;
         const auto px = kiosk.seen(
@@ -65,7 +65,7 @@ class Decorators : public testing::Test {
         kiosk.hold(false);
         kiosk.frame();
     }
-    // Pixels of the pot that have become others.
+    // The pixels of the pot that have changed.
     [[nodiscard]] std::vector<dvec2> changed(const asset::Image& before, const asset::Image& after) const {
         constexpr int kLevels = 24;
         std::vector<dvec2> found;
@@ -90,7 +90,7 @@ class Decorators : public testing::Test {
             least = std::min(least, glm::length(place - to));
         return least;
     }
-    // All of the way is drawn, and nothing farther from it than half the brush.
+    // Checks that the whole path is drawn, and nothing farther from it than half the brush's width.
     void expect_drawn_along(const std::vector<dvec2>& way, double half_mm) {
         const asset::Image before = still();
         draw(way);
@@ -116,7 +116,7 @@ class Decorators : public testing::Test {
         }
         return way;
     }
-    // The session that is kept, with what its strokes come to on the pot that it leaves.
+    // Keeps the pot and reads the session and its strokes' marks.
     void keep_and_read(decoration::Recorded& recorded, decoration::Marks& marks) {
         ASSERT_TRUE(kiosk.press(Button::kDone));
         ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
@@ -195,7 +195,7 @@ TEST_F(Decorators, BandAPotThatTurnsAndSetMotifsAllRoundIt) {
     const auto height_of = [](const decoration::StrokePoint& point) {
         return point.height / decoration::kHeightUnitsPerMm;
     };
-    // One height all round, and as far over the motifs as the fingers were.
+    // The band has one height all round, as far above the motifs as the fingers were.
     const double band_mm = height_of(recorded.strokes[0].points.front());
     for (const decoration::StrokePoint& point : recorded.strokes[0].points)
         ASSERT_NEAR(height_of(point), band_mm, kMostOffMm);
@@ -243,7 +243,7 @@ TEST_F(Decorators, FindWhatTheyDrewAfterAPowerCut) {
     ASSERT_TRUE(again.dries());
     ASSERT_TRUE(again.until([&] { return again.state().decorating.strokes == 2; }, kSlowly))
         << again.state().decorating.strokes << " strokes";
-    // Who throws the pot away throws its drawing away.
+    // Discarding the pot discards its decoration.
     ASSERT_TRUE(kiosk.press(Button::kDone));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
     ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));

@@ -1,4 +1,4 @@
-// A visitor spins a wide wet bowl until it gives way: the failure screen, and each way on from there.
+// A visitor spins a wide wet bowl until it collapses: the failure screen, and each way on from there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using kiosk::Button;
 using kiosk::Screen;
 
-// It stands at the speed that a visit begins with and not at the highest.
+// It is stable at a visit's initial speed but not at the highest.
 clay::StudioClay wet_bowl() {
     clay::StudioClay clay({.mass_g = 1500.0, .rings = 1000});
     clay.set_liquidity(1.0);
@@ -28,7 +28,7 @@ class FailedPot : public testing::Test {
         ASSERT_TRUE(kiosk.press(Button::kFree));
         ASSERT_TRUE(stays_on_the_wheel(60)) << "it stands as it is";
     }
-    // Clay moves in its own time, and the visit's must not run away from it into attract.
+    // The clay moves in real time; the visit's clock must not run ahead to the attract timeout.
     void spin_it_apart() {
         for (int step = 0; step < 2; ++step)
             ASSERT_TRUE(kiosk.press(Button::kSpeedMore));
@@ -40,7 +40,7 @@ class FailedPot : public testing::Test {
         const auto& outer = kiosk.snapshot().pot->outer_mm;
         return 2.0 * double{*std::max_element(outer.begin(), outer.end())};
     }
-    // For that many frames.
+    // Checks it for that many frames.
     bool stays_on_the_wheel(int frames) {
         for (int frame = 0; frame < frames; ++frame) {
             kiosk.frame();
@@ -62,8 +62,8 @@ TEST_F(FailedPot, GoesBackToJustBeforeAndStandsBecauseTheWheelIsSlower) {
     EXPECT_GT(kiosk.snapshot().pot->height_mm, 120.0) << "of 140: it spins wide before it sinks";
     ASSERT_TRUE(kiosk.press(Button::kBeforeCollapse));
     EXPECT_TRUE(stays_on_the_wheel(20)) << "what had given way was taken for this";
-    EXPECT_EQ(kiosk.state().throwing.speed, 3) << "nobody is as quick as the wheel";
-    // It is worked out beside the frame, which takes its time on a busy machine.
+    EXPECT_EQ(kiosk.state().throwing.speed, 3) << "the wheel is faster than any visitor";
+    // It is computed beside the frame, which takes longer on a busy machine.
     ASSERT_TRUE(kiosk.until([&] { return widest_mm() < standing_mm + 3.0; }, kSlowly)) << "it never came";
     EXPECT_TRUE(stays_on_the_wheel(200));
     EXPECT_LT(widest_mm(), standing_mm + 3.0);

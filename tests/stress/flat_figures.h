@@ -1,4 +1,4 @@
-// What a program holds, measured again and again: whatever grows with every visit ends a museum's day.
+// Measures a program's resources repeatedly: none may grow with every visit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@ struct Figures {
     double resident_kb = 0.0;
     double handles = 0.0;
     double threads = 0.0;
-    double disk_kb = 0.0;  // of the kiosk's folder beside its whole pots; files without a name left out
-    double pot_kb = 0.0;   // of a whole pot, in the mean
+    double disk_kb = 0.0;  // of the kiosk's folder without its complete pots and unnamed files
+    double pot_kb = 0.0;   // mean of a complete pot
 };
 
 struct DiskUse {
@@ -31,7 +31,7 @@ struct DiskUse {
     int pots = 0;
 };
 
-// Of a folder and all below it. A pot that is not whole yet has an ending to its name.
+// Adds a folder recursively. An incomplete pot's name has an extension.
 inline void add_disk_use(const std::filesystem::path& folder, bool is_pot, DiskUse& use) {
     for (const std::filesystem::path& entry : list_folder(folder).entries) {
         std::error_code gone;  // the keeper works beside us
@@ -76,12 +76,12 @@ inline double slope_of(const std::vector<Figures>& all, double Figures::*value) 
     return spread > 0.0 ? (count * sum_xy - sum_x * sum_y) / spread : 0.0;
 }
 
-// A line a figure; and where there are enough for a judgement, that none grows.
+// Prints a line per figure; with enough samples, checks that none grows.
 inline void expect_flat(const std::vector<Figures>& all) {
     constexpr std::size_t kEnough = 50;
     constexpr double kMostMemoryKb = 40.0;  // a visit
     constexpr double kMostDiskKb = 40.0;    // likewise; a line in each table of visits is a hundredth of that
-    constexpr double kMostPotKb = 5.0;  // likewise; eight times that is what a whole shelf of a day may grow
+    constexpr double kMostPotKb = 5.0;  // likewise; eight times that is the allowed growth of a day's shelf
     constexpr double kMostOthers = 0.02;
     ASSERT_FALSE(all.empty());
     const auto judge = [&](const char* name, double Figures::*value, double most) {

@@ -1,5 +1,5 @@
-// Two threads on each hand-off, as fast as they can: what ThreadSanitizer is to look at. Bounded by counts,
-// not by time. Without the sanitizer they still check that no value is torn, lost or out of order.
+// Two threads on each buffer, as fast as they can, for ThreadSanitizer. Bounded by counts, not by time.
+// Without the sanitizer they still check that no value is torn, lost or out of order.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace onggi::jobs {
 namespace {
 
-// Every word says which value it belongs to: a torn one gives itself away.
+// Every word identifies its value, so a torn value is detected.
 struct Payload {
     std::vector<std::uint64_t> words = std::vector<std::uint64_t>(256, 0);
 

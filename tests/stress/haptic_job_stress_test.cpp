@@ -1,5 +1,5 @@
-// The whole haptic job on a real thread, with a main thread that does all at once: reads snapshots, fetches
-// records, sends commands and moves the hand. For ThreadSanitizer; nothing here rests on how fast it runs.
+// The whole haptic job on a real thread, with a main thread that does everything at once: reads snapshots,
+// fetches records, sends commands and moves the hand. For ThreadSanitizer; nothing here depends on its speed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

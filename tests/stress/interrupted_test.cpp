@@ -1,6 +1,5 @@
-// Killed at random moments, again and again on the same folder: each pot of the gallery is whole or is not
-// there, and the visit that was interrupted can be picked up. A few kills in ./check; ONGGI_KILLS=200 for the
-// long run.
+// Kills the program at random moments, repeatedly on the same folder: each pot of the gallery is complete or
+// absent, and an interrupted visit can be resumed. A few kills in ./check; ONGGI_KILLS=200 for the long run.
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>  // NOLINT: kill is POSIX
@@ -34,8 +33,8 @@ int kills() {
     return wanted != nullptr ? std::atoi(wanted) : 8;
 }
 
-// One life: from its start to the kill, so many ms after it had said so much; a busy machine takes its time.
-// What it said.
+// One run: from the start to the kill, a given time after a given number of output bytes (a busy machine is
+// slow). Returns its output.
 std::string live_and_die(const fs::path& gallery, unsigned seed, std::size_t after_words, int after_ms) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) return {};
@@ -77,15 +76,15 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
     std::mt19937 chance(20261122);
     std::set<std::string> seen;
     int while_throwing = 0;
-    int threw_on = 0;  // long enough for the journal to know of it
+    int threw_on = 0;  // long enough to be in the journal
     int threw_on_picked_up = 0;
     int while_saving = 0;
     int picked_up = 0;
     int resumed = 0;
     haptic::HapticParameters parameters;
     parameters.set_rate_hz(stress::kRateHz);
-    // Which moments come depends on how fast the machine is: a run goes on until a visit was picked up, and a
-    // long one until those that come seldom have come.
+    // The moments of the kills depend on the machine's speed: a run goes on until a visit was resumed, and a
+    // long one until the rare cases have occurred.
     constexpr int kEnoughThrewOn = 10;
     const bool is_long = kills() >= 100;
     const auto lacks_moments = [&](int kill) {

@@ -1,7 +1,6 @@
-// interrupted_wheel FOLDER SEED: visitors without a picture, until somebody kills the program: the real loop,
-// the real keeper, gallery and journals on the real disk. It goes on with a visit that it finds interrupted,
-// or drops it; throws, undoes, keeps, throws away. For interrupted_test.cpp, which is told on standard output
-// by a byte what goes on.
+// interrupted_wheel FOLDER SEED: simulated visitors without a picture, until the program is killed: the real
+// loop, keeper, gallery and journals on the real disk. It resumes or drops an interrupted visit; throws,
+// undoes, keeps, discards. For interrupted_test.cpp; it reports progress by bytes on standard output.
 #include <unistd.h>
 
 #include <chrono>
@@ -37,7 +36,7 @@ class Visitors {
         kiosk::Config config;
         config.gallery.folder = gallery.string();
         config.gallery.least_free_mb = 1.0;
-        config.gallery.most_pots = stress::kMostPots;  // so that pots are taken away too
+        config.gallery.most_pots = stress::kMostPots;  // so that pots are removed too
         keeper_ = std::make_unique<app::KioskKeeper>(*job_, start_, parameters_, app::Gallery(config),
                                                      gallery / "statistics");
     }
@@ -71,7 +70,7 @@ class Visitors {
   private:
     unsigned any_below(unsigned count) { return static_cast<unsigned>(chance_() % count); }
     bool one_of(unsigned count) { return any_below(count) == 0; }
-    // Milliseconds, at random; answers are taken.
+    // Waits a random number of milliseconds and takes answers.
     void pass(unsigned least, unsigned most) {
         std::this_thread::sleep_for(std::chrono::milliseconds(least + any_below(most - least)));
         static_cast<void>(job_->newest_snapshot());

@@ -1,4 +1,4 @@
-// What interrupted_wheel.cpp, which is killed, and interrupted_test.cpp, which kills it, both know.
+// Shared by interrupted_wheel.cpp, which is killed, and interrupted_test.cpp, which kills it.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@ namespace onggi::stress {
 
 constexpr double kRateHz = 4000.0;  // a block of the journal every quarter of a second
 constexpr int kMostPots = 12;
-// Two blocks of the journal, and as long as a keeper may take to write them. Who is killed sooner loses what
-// was thrown: a quarter of a second or two.
+// Two blocks of the journal, plus the time that a keeper may need to write them. A program killed sooner
+// loses the last quarter of a second or two.
 constexpr std::uint64_t kTicksToKeep = 3000;
 
 inline haptic::HapticState start() {
     return haptic::HapticState(clay::StudioClay({.mass_g = 400.0, .rings = 400}));
 }
 
-// What it says on standard output, a byte each.
+// The bytes on standard output.
 constexpr char kThrows = 't';
 constexpr char kResumed = 'r';
 constexpr char kThrewOn = 'T';  // for kTicksToKeep, on new clay, and throws on

@@ -1,5 +1,5 @@
-// How far a kiosk has come with keeping a pot, told by what lies on the disk: so that a kill can fall between
-// any two files, and while one is being written. `Gallery::keep` writes them in this order.
+// A kiosk's progress in keeping a pot, derived from the files on disk, so that a kill can fall between any
+// two files and during a write. `Gallery::keep` writes them in this order.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ inline const char* name_of(Stage stage) {
     return kNames[static_cast<std::size_t>(stage)];
 }
 
-// `pots`: whole ones in the gallery when this life of the kiosk began, which cleared away what lay beside.
+// `pots`: complete ones in the gallery at the kiosk's start, which removes incomplete ones.
 inline Stage stage_of(const std::filesystem::path& gallery, std::size_t pots) {
     namespace fs = std::filesystem;
     std::error_code error;  // a folder that is renamed while it is looked at seems empty, once
@@ -51,7 +51,7 @@ inline Stage stage_of(const std::filesystem::path& gallery, std::size_t pots) {
     return stage;
 }
 
-// Whether that process has a file of a pot open which has no name yet: bytes are on their way to it.
+// Whether the process has an unnamed file of a pot open, that is, it is writing one.
 inline bool is_writing_a_pot(int process) {
     namespace fs = std::filesystem;
     std::error_code error;

@@ -1,7 +1,7 @@
-// The real program in a real window, played by a pointer and killed at random moments of starting, throwing
-// and saving, again and again on one gallery: every pot is whole, and a visit that was interrupted is offered
-// by the next start. Runs under a display of its own (tests/window/with_display.sh). Two kills in ./check;
-// ONGGI_KILLS=200 for the long run, half an hour or more.
+// The real program in a real window, used by a pointer and killed at random moments of starting, throwing and
+// saving, repeatedly on one gallery: every pot is complete, and the next start offers an interrupted visit.
+// Runs under a display of its own (tests/window/with_display.sh). Two kills in ./check; ONGGI_KILLS=200 for
+// the long run, half an hour or more.
 #include <fmt/format.h>
 #include <signal.h>  // NOLINT: SIGKILL
 
@@ -32,14 +32,14 @@ using test::RunningOnggi;
 constexpr double kRateHz = 1000.0;
 constexpr int kWidth = 320;
 constexpr int kHeight = 180;
-// So long is a hand in the clay at least until the journal has to know of it: a block a second, and a keeper
-// who may be late.
+// After this time in the clay the journal must contain the hand's work: one block per second, and a keeper
+// that may be late.
 constexpr double kThrewOnS = 2.5;
-constexpr double kSettleS = 0.6;    // from a screen to the first press that it takes
-constexpr double kStartS = 3.0;     // from nothing to attract, and on
+constexpr double kSettleS = 0.6;    // from a screen to the first press that it accepts
+constexpr double kStartS = 3.0;     // from the launch to the attract screen, and on
 constexpr double kPortraitS = 1.0;  // from the request to keep a pot to its folder
-constexpr double kFileS = 0.004;    // from one of its files to the next, for those that are soon worked out
-constexpr double kWriteS = 0.0008;  // so long is the shortest of them written
+constexpr double kFileS = 0.004;    // from one of its files to the next, for those that are computed quickly
+constexpr double kWriteS = 0.0008;  // the writing time of the smallest of them
 constexpr double kLookS = 0.0001;
 
 int kills() {
@@ -51,12 +51,12 @@ void pause_s(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-// A press that comes before is not taken.
+// An earlier press is not accepted.
 void settle() {
     pause_s(kSettleS * test::slowness());
 }
 
-// What a command says on standard output.
+// A command's standard output.
 std::string said_by(const std::string& command) {
     FILE* pipe = ::popen((command + " 2>/dev/null").c_str(), "r");
     std::string all;
@@ -67,7 +67,7 @@ std::string said_by(const std::string& command) {
     return all;
 }
 
-// One life of the program, with its visitor.
+// One run of the program, with its visitor.
 class Life {
   public:
     Life(const fs::path& folder, const std::vector<std::string>& environment = {})
@@ -78,7 +78,7 @@ class Life {
 
     [[nodiscard]] RunningOnggi& program() { return onggi_; }
     // Five minutes, longer on a slow machine: a software driver under a sanitizer takes ten seconds to its
-    // first frame, and others may want the processor.
+    // first frame, and the machine may be busy.
     template <typename Condition>
     bool until(Condition&& condition, double look_s = 0.05) {
         const auto end = std::chrono::steady_clock::now() + test::scaled(std::chrono::minutes(5));
@@ -99,9 +99,8 @@ class Life {
     bool says(const std::string& words) {
         return until([&] { return onggi_.printed().find(words) != std::string::npos; });
     }
-    // Presses that button of the screen it begins with, and again from time to time for as long as that
-    // screen stays: a press that comes before the screen is drawn is not taken, and a busy machine draws it
-    // late.
+    // Presses that button of the current screen, and again from time to time while that screen stays: a press
+    // before the screen is drawn is not accepted, and a busy machine draws it late.
     template <typename Condition>
     bool press_until(const std::string& button, Condition&& condition, double look_s = 0.05) {
         const std::string screen = button.substr(0, std::min(button.find("-0 "), button.find(' ')));
@@ -126,7 +125,7 @@ class Life {
     void click(int x, int y) {
         said_by(fmt::format("xdotool mousemove {} {} sleep 0.1 mousedown 1 sleep 0.1 mouseup 1", x, y));
     }
-    // Where the layout has it.
+    // Presses at the button's position in the layout.
     void press(const std::string& button) {
         static const std::map<std::string, std::pair<int, int>> places = [] {
             std::map<std::string, std::pair<int, int>> found;
@@ -147,9 +146,10 @@ class Life {
         ASSERT_NE(place, places.end()) << "no button '" << button << "'";
         click(place->second.first, place->second.second);
     }
-    // Presses the clay in from the right, low down, and stays there.
+    // Presses the clay in from the right, near the foot, and holds.
     void press_in() { lay_finger({{66.0, 15.0}, {54.0, 15.0}}); }
-    // Opens the clay and draws its wall up, each again until it is so; false: it is not.
+    // Opens the clay and pulls its wall up, repeating each step until it succeeds; returns false if it does
+    // not.
     bool throw_a_pot() {
         constexpr int kTries = 10;
         for (int tries = 0; tries < kTries && !has_done(2); ++tries)
@@ -165,13 +165,12 @@ class Life {
     }
 
   private:
-    // Steps of the lesson, as the title has them; a moment after the hand has gone.
+    // Whether that many lesson steps are done, by the title, a moment after the hand has left.
     bool has_done(int steps) {
         pause_s(0.3);
         return !said_by(fmt::format("xdotool search --name '^Onggi - throw - [{}-3] of 3'", steps)).empty();
     }
-    // From the first place to the last and on staying there; radius and height in mm, as the camera shows
-    // them.
+    // Moves from the first position to the last and stays there; radius and height in mm, through the camera.
     static void lay_finger(const std::vector<dvec2>& way_mm) {
         std::string asked;
         for (const dvec2& place_mm : way_mm)
@@ -202,11 +201,11 @@ class Life {
 };
 
 enum class Moment { kStarting, kThrowing, kThrewOn, kAnything, kSaving };
-// Half of all fall into saving, which is over in no time.
+// Half of all kills fall into saving, which is very short.
 constexpr std::array kMoments{Moment::kStarting, Moment::kThrowing, Moment::kThrewOn, Moment::kAnything,
                               Moment::kSaving,   Moment::kSaving,   Moment::kSaving,  Moment::kSaving};
 
-// Where the kills while saving fell.
+// The stages in which kills during saving fell.
 struct SavingKills {
     std::map<stress::Stage, int> at;
     int with_a_nameless_file = 0;
@@ -232,12 +231,12 @@ class RealKiosk : public testing::Test {
         std::ofstream(folder / "kiosk.toml")
             << "[languages]\nfirst = \"en\"\n[haptics]\nrate_hz = 1000\n[gallery]\nleast_free_mb = 1\n";
         parameters.set_rate_hz(kRateHz);
-        parameters.studio.forgiving = true;  // as the kiosk's clay is
+        parameters.studio.forgiving = true;  // as in the kiosk
     }
     double any(double least, double most) {
         return std::uniform_real_distribution<double>(least, most)(chance);
     }
-    // From the start to the moment at which it dies; `offered` is what the life before had left.
+    // From the start to the kill; `offered` is what the previous run left.
     void visit(Life& life, Moment moment, const stress::Found& offered) {
         if (moment == Moment::kStarting) return pause_s(any(0.0, kStartS));
         ASSERT_TRUE(life.comes_to("attract")) << life.program().printed();
@@ -262,7 +261,7 @@ class RealKiosk : public testing::Test {
         if (moment == Moment::kThrowing) return pause_s(any(0.0, 1.5));
         if (moment == Moment::kThrewOn) {
             pause_s(kThrewOnS);
-            // A slow machine's keeper is later: the first block may have begun before the hand came.
+            // On a slow machine the keeper is later: the first block may have begun before the hand came.
             for (int block = 0; block < 2; ++block)
                 ASSERT_TRUE(life.until([&, before = journal_bytes()] { return journal_bytes() > before; }))
                     << life.program().printed();
@@ -272,8 +271,8 @@ class RealKiosk : public testing::Test {
         pause_s(any(0.0, 1.0));
     }
     void go_on_to_save(Life& life) {
-        // Drying and firing go on by themselves: on a slow machine a press would meet the screen behind.
-        // A foot with clay to spare may be turned.
+        // Drying and firing advance by themselves: on a slow machine a press would reach the next screen. A
+        // thick foot may be trimmed.
         ASSERT_TRUE(
             life.press_until("throw-0 done", [&] { return life.is_on("trim") || life.is_on("decorate"); }));
         if (life.is_on("trim")) {
@@ -284,8 +283,8 @@ class RealKiosk : public testing::Test {
         settle();
         keep(life);
     }
-    // Until a moment after a file that chance has picked is there, or is being written. Its portrait is
-    // painted before anything is written, which takes a thousand times longer than any file.
+    // Keeps the pot until shortly after a randomly chosen file exists or is being written. The portrait is
+    // painted before any file is written, which takes a thousand times longer.
     void keep(Life& life) {
         const auto wanted = static_cast<stress::Stage>(chance() % stress::kStages);
         const bool while_written = chance() % 2 == 0;
@@ -309,7 +308,7 @@ class RealKiosk : public testing::Test {
         EXPECT_TRUE(verdict->is_pot) << verdict->why_not << ": " << visitors::words_for(*verdict);
     }
     [[nodiscard]] std::filesystem::path gallery() const { return folder / "gallery"; }
-    // Of the visit that goes on.
+    // The size of the current visit's journal.
     [[nodiscard]] std::uintmax_t journal_bytes() const {
         std::uintmax_t bytes = 0;
         std::error_code none;
@@ -325,9 +324,9 @@ class RealKiosk : public testing::Test {
     std::mt19937 chance{static_cast<unsigned>(20261122 + kills())};
     const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
     haptic::HapticParameters parameters;
-    std::set<std::string> pots;  // whole ones, as the last life left them
+    std::set<std::string> pots;  // complete ones after the last run
     SavingKills saving;
-    bool went_on = false;  // with what it was offered
+    bool went_on = false;  // whether it resumed the offered visit
 };
 
 TEST_F(RealKiosk, KilledAtAnyMomentLeavesPotsWholeAndOffersTheVisitAgain) {
@@ -335,7 +334,7 @@ TEST_F(RealKiosk, KilledAtAnyMomentLeavesPotsWholeAndOffersTheVisitAgain) {
     int offered = 0;
     std::map<Moment, int> died;
     for (int kill = 0; kill < kills(); ++kill) {
-        // Those of ./check: one while throwing, and one while saving who saw the first one's pot offered.
+        // In ./check: one kill while throwing, and one while saving, after the first one's pot was offered.
         const auto moment = kill == 0   ? Moment::kThrewOn
                             : kill == 1 ? Moment::kSaving
                                         : kMoments[chance() % kMoments.size()];
@@ -355,7 +354,7 @@ TEST_F(RealKiosk, KilledAtAnyMomentLeavesPotsWholeAndOffersTheVisitAgain) {
         EXPECT_EQ(pots.size(), kept_before.size() + (stage == stress::Stage::kKept ? 1 : 0));
         left = stress::expect_whole_visit(gallery(), folder / "copy", start, parameters);
         if (moment == Moment::kThrewOn) {
-            EXPECT_TRUE(left.is_any) << "what was thrown for so long is lost";
+            EXPECT_TRUE(left.is_any) << "work of that duration is lost";
         }
         if (moment == Moment::kSaving && stage != stress::Stage::kKept) {
             EXPECT_TRUE(left.is_any) << "neither a pot nor a visit";

@@ -1,6 +1,5 @@
-// Who asked for less motion sees the camera cut: between two frames the other view is all there. For
-// everybody else it fades in, where the processor draws. By a clock of the test's own, a sixtieth of a second
-// a frame.
+// With reduced motion the camera cuts: the other view appears between two frames. Otherwise it fades in, with
+// the CPU backend. On a virtual clock, a sixtieth of a second per frame.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -32,7 +31,7 @@ class Camera : public testing::Test {
         places();
         ASSERT_EQ(kiosk.state().comfort.still, less_motion);
     }
-    // Where the rim of the wheel head is seen, frame by frame, until the camera has long settled.
+    // The position of the wheel head's rim in each frame, until the camera has settled.
     std::vector<dvec2> places() {
         std::vector<dvec2> all;
         for (const double end_s = kiosk.now_s() + kSettlesS; kiosk.now_s() < end_s;) {
@@ -41,8 +40,8 @@ class Camera : public testing::Test {
         }
         return all;
     }
-    // In how many frames after that button the picture is much another than the one before: as it was while
-    // the camera stood, so that the turning wheel does not count.
+    // Counts the frames after that button in which the picture changes much, beyond the change while the
+    // camera rests, so that the turning wheel does not count.
     int frames_of_change(Button button) {
         const dvec2 before = kiosk.seen({150.0, 0.0, 0.0}).value();
         EXPECT_TRUE(kiosk.point_at(button));
@@ -66,7 +65,7 @@ class Camera : public testing::Test {
         EXPECT_EQ(jumps, 1) << "for touches it is in one place or in the other";
         return count;
     }
-    // By more than a few levels.
+    // Counts pixels that differ by more than a few levels.
     static int pixels_apart(const asset::Image& a, const asset::Image& b) {
         constexpr int kLevels = 3;
         int count = 0;
@@ -75,7 +74,7 @@ class Camera : public testing::Test {
         return count;
     }
 
-    // Eight seconds into it the wheel would show a step by itself, and whose press meets that presses again.
+    // Disables the demonstrations, which start after eight seconds and would swallow a press.
     static kiosk::Config without_shows() {
         kiosk::Config config;
         config.visit.shows_by_itself = false;

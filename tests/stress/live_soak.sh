@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# `onggi live` at 4 kHz in a real window for a while, the window resized all the time, with every file it writes
-# refused at first: nothing may crash, latch a fault or lose a record, and misses are counted. A few seconds in
-# ./check; for the long run ONGGI_SOAK_SECONDS=600. It brings a display of its own: live_soak.sh ONGGI GESTURE FOLDER
-# A machine that is slow or busy draws few frames in that time: then it is done again, each time for twice as long, at half
-# the rate and in a window half as wide and high.
+# `onggi live` at 4 kHz in a real window that is resized all the time; the first run refuses every output
+# file. Nothing may crash, latch a fault or lose a record, and misses are counted. A few seconds in ./check;
+# for the long run ONGGI_SOAK_SECONDS=600. It starts its own display: live_soak.sh ONGGI GESTURE FOLDER If a
+# slow or busy machine draws too few frames, the test repeats for twice as long, at half the rate and in a
+# window half as wide and high.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 onggi=$1
@@ -18,7 +18,8 @@ trap 'kill $live $server 2>/dev/null || true' EXIT
 open_display . 1280x720
 fail() { printf '%s\n' "$*"; cat live.log; exit 1; }
 
-# No byte may be written: the run goes to its end, the file is missing, and the exit code says what was lacking.
+# No byte may be written: the run continues to its end, the file is missing, and the exit code reports the
+# lack.
 set +e
 (ulimit -f 0; exec "$onggi" live "$gesture" --headless --size 64x36 --rate 4000 --seconds 1 --stats full.json) \
     2>&1 | cat >full.log
@@ -33,7 +34,8 @@ at_least() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a >= b) }'; }
 
 longest_frame_ms() { tr -d ' \n' <stats.json | sed -n 's/.*"frame_ms":{[^}]*"max":\([0-9.e+]*\).*/\1/p'; }
 
-# soak EASIER: a run in a window that is resized all the time, so many times as easy; what has to hold of it on any machine.
+# soak EASIER: a run in a window that is resized all the time, EASIER times as easy, with the checks that must
+# pass on any machine.
 soak() {
     local easier=$1 window=
     local seconds=$((easier * ${ONGGI_SOAK_SECONDS:-10})) rate=$((4000 / easier))
@@ -56,14 +58,15 @@ soak() {
     live=
     [ -s stats.json ] || fail "no stats"
     [ "$(number faults)" = 0 ] || fail "expected no fault, found $(number faults)"
-    # Records are taken after each frame, and 16384 of them are kept until then: a frame may last so long, but for a little.
+    # Records are read after each frame, and at most 16384 are kept until then: the longest allowed frame,
+    # with a margin.
     kept_ms=$((16384 * 1000 / rate - 100))
     [ "$(number dropped_records)" = 0 ] || at_least "$(longest_frame_ms)" "$kept_ms" ||
         fail "expected no lost record, found $(number dropped_records), and no frame longer than $(longest_frame_ms) ms"
     ran=$(awk -v t="$(number ticks)" -v s="$(number skipped_periods)" 'BEGIN { print t + s }')
     at_least "$ran" $((rate * seconds - 2)) ||
         fail "expected every period run or counted, found $ran in $seconds s"
-    # The largest that the device was ever told, in any tick: within its limit, but for the last bits of a double.
+    # The largest force ever sent to the device: within its limit, apart from rounding.
     largest=$(number largest_force_n)
     at_least "$largest" "$(number mean_force_n)" || fail "largest force $largest N, mean force $(number mean_force_n) N"
     awk -v a="$largest" -v b="$(number most_force_n)" 'BEGIN { exit !(a >= 0 && a <= b * (1 + 1e-9)) }' ||
@@ -72,7 +75,7 @@ soak() {
 largest force $largest N of $(number most_force_n), gain $(number gain), watchdog $(number silences), frames $(number frames)"
 }
 
-# Whether the last run has tried anything; `lacks` says what was too little.
+# Whether the last run was long enough to count; `lacks` says what was missing.
 has_tried() {
     lacks=
     at_least "$resizes" 5 || lacks="only $resizes resizes"

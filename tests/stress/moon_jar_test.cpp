@@ -1,5 +1,5 @@
-// Through the whole moon jar at the whole kiosk: two bowls by the pointer, joined, smoothed, decorated and
-// kept, and what is kept is worked out again from its three sessions.
+// Makes a moon jar at the whole kiosk: two bowls by the pointer, joined, smoothed, decorated and kept; the
+// kept jar is recomputed from its three sessions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class MoonJar : public testing::Test {
         ASSERT_EQ(step(), JarStep::kFirstBowl);
     }
     [[nodiscard]] JarStep step() const { return kiosk.state().throwing.jar.step; }
-    // Opens the clay and draws it up along the dots, again until it is a bowl.
+    // Opens the clay and pulls it up along the dots, repeating until it is a bowl.
     void throw_bowl() {
         constexpr int kTries = 12;
         const std::vector<vec2> outline = jar_of(*target).bowl_mm;
@@ -73,7 +73,7 @@ class MoonJar : public testing::Test {
                                 kSlowly))
             << kiosk.snapshot().pot->height_mm << " mm high instead of " << height_mm;
     }
-    // The kept jar's session begins with what joining its two bowls' gives, and is worked out to the end.
+    // Checks that the kept jar's session starts with its two joined bowls, and replays to the end.
     void expect_made_of_its_bowls(const nlohmann::json& note) {
         const auto pots = kept_pots(folder.path());
         ASSERT_FALSE(pots.empty());
@@ -103,8 +103,7 @@ class MoonJar : public testing::Test {
     std::mt19937 chance{7};
 };
 
-// What a power cut at this moment leaves on the disk, at another kiosk: it offers the jar and goes on with
-// it.
+// The disk after a power cut at this moment, at another kiosk: it offers the jar and resumes it.
 struct AfterPowerCut {
     explicit AfterPowerCut(const fs::path& gallery) {
         fs::copy(gallery, folder.path(), fs::copy_options::recursive);
@@ -116,7 +115,7 @@ struct AfterPowerCut {
         ASSERT_TRUE(kiosk->until([&] { return kiosk->shown_screen() == Screen::kResume; }, kSlowly));
         ASSERT_TRUE(kiosk->press(Button::kResumeGo));
         EXPECT_EQ(kiosk->state().throwing.jar.step, step);
-        // What was thrown last may be a block of the journal short.
+        // The last block of the journal may be missing.
         constexpr double kMostLostMm = 12.0;
         EXPECT_TRUE(kiosk->until(
             [&] { return std::fabs(kiosk->snapshot().pot->height_mm - height_mm) < kMostLostMm; }, kSlowly))
@@ -201,15 +200,15 @@ TEST_F(MoonJar, IsTakenBackAcrossItsSteps) {
     ASSERT_TRUE(kiosk.press(Button::kJoinBowls));
     ASSERT_TRUE(kiosk.until([&] { return step() == JarStep::kSeam; }, kSlowly));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().pot->height_mm > 140.0; }, kSlowly));
-    // Nothing was done to the jar yet: its bowls come apart.
+    // Nothing was done to the jar yet: undo separates its bowls.
     ASSERT_TRUE(kiosk.press(Button::kUndo));
     ASSERT_TRUE(kiosk.until([&] { return step() == JarStep::kSecondBowl; }, kSlowly));
     expect_bowl(second_mm);
-    // And the second one's moves can be taken back as if nothing had been joined.
+    // And the second bowl's moves can be undone as before the joining.
     ASSERT_TRUE(kiosk.press(Button::kUndo));
     ASSERT_TRUE(
         kiosk.until([&] { return std::fabs(kiosk.snapshot().pot->height_mm - second_mm) > 0.01; }, kSlowly));
-    // New clay is another second bowl; the first one stays.
+    // New clay replaces the second bowl; the first one stays.
     ASSERT_TRUE(kiosk.press(Button::kNewClay));
     EXPECT_EQ(step(), JarStep::kSecondBowl);
     ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().pot->height_mm < 60.0; }, kSlowly));

@@ -1,6 +1,5 @@
-// The attract screen never flashes, and what a visitor's touch brings does not either: a whole turn of
-// throwing and museum's pot is drawn on a clock of its own, in the photographed room, and its light is
-// measured.
+// Neither the attract screen nor the reaction to a touch flashes: a whole cycle of demonstration and museum
+// pots is drawn on a virtual clock, in the photographed room, and its luminance is measured.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -19,17 +18,17 @@ namespace {
 using kiosk::Button;
 using kiosk::Screen;
 
-// The wheel goes by real time, so that it turns more slowly than the clock here: with ONGGI_REAL_TIME=1 it
-// does not, for a minute.
+// The wheel runs in real time, so it turns more slowly than the virtual clock; with ONGGI_REAL_TIME=1 both
+// match, for a minute.
 //
-// Twenty looks a second while nothing goes over into another picture, sixty while it does. Not quite, so that
-// nothing regular hides between them.
+// About twenty samples a second, and sixty during transitions; slightly irregular, so that no periodic flash
+// is missed.
 constexpr double kSlowS = 0.0487;
 constexpr double kQuickS = 0.0163;
 
 class NeverFlashes : public testing::Test {
   protected:
-    // Looks on for that long.
+    // Samples the picture for that long.
     void watch(double seconds, double dt_s) {
         for (const double end_s = kiosk.now_s() + seconds; kiosk.now_s() < end_s;) {
             kiosk.frame(dt_s);
@@ -38,8 +37,8 @@ class NeverFlashes : public testing::Test {
             meter.see(kiosk.now_s(), kiosk.picture());
         }
     }
-    // Screens are composed beside the frame, in real time: on a busy machine a look comes before they are
-    // ready. After 600 looks the test's clock runs slowly, so that no timeout fires first.
+    // Screens are composed beside the frame, in real time: on a busy machine a sample comes before they are
+    // ready. After 600 samples the virtual clock runs slowly, so that no timeout fires first.
     template <typename Condition>
     [[nodiscard]] bool watch_until(const Condition& is_shown) {
         int looks = 0;
@@ -65,7 +64,7 @@ class NeverFlashes : public testing::Test {
     const double begin_s = kiosk.now_s();
 };
 
-TEST_F(NeverFlashes, WhileNobodyIsThereAndWhenSomebodyComes) {
+TEST_F(NeverFlashes, OnTheAttractScreenOrWhenAVisitorComes) {
     ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kAttract; }, 0.0));
     const auto shows_pot = [&] { return kiosk.shown_exhibit() >= 0; };
     watch(24.5, kSlowS);

@@ -1,5 +1,5 @@
-// A screen is made anew where something that is seen has changed, and at no other time: composing costs tens
-// of milliseconds. By a clock of the test's own.
+// A screen is composed again only when something visible has changed, because composing takes tens of
+// milliseconds. On a virtual clock.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -17,7 +17,7 @@ using kiosk::Screen;
 
 class SteadyScreen : public testing::Test {
   protected:
-    // How many screens are shown in so many seconds, the one at their beginning among them.
+    // The number of screens shown in `seconds`, including the first one.
     std::size_t screens_in(double seconds) {
         std::set<std::shared_ptr<const screens::View>> shown;
         for (const double end_s = kiosk.now_s() + seconds; kiosk.now_s() < end_s;) {
@@ -27,8 +27,8 @@ class SteadyScreen : public testing::Test {
         }
         return shown.size();
     }
-    // A busy machine composes a screen late. Afterwards five seconds pass without a new screen; they never do
-    // if the kiosk composes one again and again for no reason.
+    // A busy machine composes a screen late. Then five seconds must pass without a new screen, which fails if
+    // the kiosk keeps composing without reason.
     void expect_steady(Screen screen) {
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == screen; }));
         EXPECT_TRUE(test::comes_true([&] { return screens_in(5.0) == 1; }));

@@ -1,5 +1,5 @@
-// A visitor turns the foot at the whole kiosk: what was taken is gone from the pot, from its files and its
-// weight, and the session works it out again.
+// A visitor trims the foot at the whole kiosk: the removed clay is gone from the pot, its files and its
+// weight, and the session replays it.
 #include <gtest/gtest.h>
 
 #include "game/app/command_line/performance.h"
@@ -26,14 +26,14 @@ class Trimming : public testing::Test {
         ASSERT_TRUE(kiosk.until([&] { return kiosk.state().trimming.is_offered; }, kSlowly));
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kTrim; }, 0.1));
     }
-    // A finger that presses beside the foot, which is on top now, and goes in by so much.
+    // A finger that presses beside the foot, which is on top now, and moves in by in_mm.
     void shave(double from_top_mm, double in_mm) {
         const pot::Pot& pot = *kiosk.snapshot().pot;
         const double y_mm = pot.height_mm - from_top_mm;
         const double x_mm = wall_at(pot, from_top_mm).outer_mm;
         kiosk.stroke({{x_mm + 1.0, y_mm}, {x_mm - in_mm, y_mm}, {x_mm - in_mm, y_mm}}, 1.5, chance);
     }
-    // Pictures of the trimmer that deep in the wall.
+    // Takes pictures of the trimmer at that depth in the wall.
     void look_at_work(double from_top_mm, double in_mm) {
         const pot::Pot& pot = *kiosk.snapshot().pot;
         const auto px =
@@ -89,7 +89,7 @@ TEST_F(Trimming, TakesWhatItSaysOffThePotThatIsKept) {
     const auto view = kiosk.shown_view();
     ASSERT_TRUE(view && view->pot);
     const auto measures = clay::measure_pot((*pot)->rings(), (*pot)->lump().body, clay::Firing::kGlaze);
-    EXPECT_NEAR(view->pot->weight_g, measures.mass_g, 0.5) << "what the visitor reads is what is kept";
+    EXPECT_NEAR(view->pot->weight_g, measures.mass_g, 0.5) << "the displayed weight equals the kept one";
 }
 
 TEST_F(Trimming, NeverCutsThroughHoweverHardAVisitorPresses) {

@@ -310,7 +310,7 @@ bool UnseenKiosk::throw_a_pot(std::mt19937& chance) {
     const auto is_open = [&] {
         return snapshot().pot->can_be_hollow() && top_mm() - snapshot().pot->floor_mm > kDeepMm;
     };
-    // The pot before this one is seen for a moment longer.
+    // The previous pot is visible for a moment longer.
     if (!until([&] { return !is_open(); }, kSlowly)) return false;
     for (int tries = 0; tries < kTries && !is_open(); ++tries)
         stroke({{0.0, top_mm() + 1.0}, {0.0, top_mm() - 38.0}}, 1.3, chance);

@@ -1,5 +1,5 @@
-// A kiosk without a window: the whole program but its command line, with the picture drawn unseen, the real
-// loop, the real keeper and the real disk, and a clock for the visits that runs as fast as frames are drawn.
+// A kiosk without a window: the whole program except its command line, with the picture drawn offscreen, the
+// real loop, keeper and disk, and a clock for the visits that advances with each frame.
 #pragma once
 
 #include <chrono>
@@ -27,26 +27,26 @@ namespace onggi::app {
 constexpr int kWidth = 320;
 constexpr int kHeight = 180;
 constexpr double kRateHz = 1000.0;
-// A frame of who waits for what works by the clock on the wall, the keeper or whoever composes screens: on a
-// busy machine the visit's clock must not run away from them, into attract.
+// The time step while waiting for threads that run in real time, the keeper and the composer: on a busy
+// machine the visit's clock must not run ahead to the attract timeout.
 constexpr double kSlowly = 0.002;
 
 struct UnseenOptions {
-    clay::StudioClay lump = clay::StudioClay(clay::StudioLump{});  // every lump is that
-    bool forgiving = true;                                         // it bears more than real clay
-    bool plain = true;                                             // no photographed room
-    bool shows = false;                                            // recordings, while nobody is there
-    bool real_time = false;                                        // 60 frames a second, no more
-    std::chrono::minutes patience{3};  // of until(), by the clock on the wall, on the reference machine
+    clay::StudioClay lump = clay::StudioClay(clay::StudioLump{});  // for every lump
+    bool forgiving = true;                                         // the clay is stronger than real clay
+    bool plain = true;                                             // without the photographed room
+    bool shows = false;                                            // demonstrations on the attract screen
+    bool real_time = false;                                        // at most 60 frames a second
+    std::chrono::minutes patience{3};  // timeout of until(), in real time, on the reference machine
     int most_pots = 100'000;
     int width = kWidth;
     int height = kHeight;
-    kiosk::Config config = {};                // but its gallery
+    kiosk::Config config = {};                // except its gallery
     std::function<int()> minute_of_day = {};  // none: the machine's
     KioskSound::MakePlace loudspeaker = {};   // none: no sound
 };
 
-// ONGGI_LOOK=FOLDER: pictures of a visit's steps, large enough to be looked at; see UnseenKiosk::look().
+// ONGGI_LOOK=FOLDER: saves pictures of a visit's steps, large enough to inspect; see UnseenKiosk::look().
 [[nodiscard]] UnseenOptions looked_at();
 
 class UnseenKiosk {
@@ -62,19 +62,20 @@ class UnseenKiosk {
     [[nodiscard]] const haptic::Snapshot& snapshot();
     void frame(double dt_s = 1.0 / 60.0);
     [[nodiscard]] double now_s() const;
-    // Where the last frame shows a place on the wheel, px.
+    // The pixel of a position on the wheel in the last frame.
     [[nodiscard]] std::optional<dvec2> seen(const dvec3& place_mm) const;
-    // Draws frames for that many seconds of the wheel's own clock, which falls behind the wall clock on a
-    // slow machine.
+    // Draws frames for that many seconds of the wheel's clock, which falls behind real time on a slow
+    // machine.
     void passes(double seconds);
-    // Draws frames until the journal on the disk, which gets a block a second, holds all that has happened so
-    // far. False: it does not within the patience.
+    // Draws frames until the journal on disk, which gets one block per second, contains everything so far.
+    // Returns false after a timeout.
     [[nodiscard]] bool journal_catches_up();
-    // Where somebody asked to see it: a picture of that name, of a scene at rest after so long.
+    // If ONGGI_LOOK is set: saves a picture of that name, after the scene has rested for rest_s.
     void look(const std::string& name, double rest_s = 1.2);
     // The last frame.
     [[nodiscard]] asset::Image picture();
-    // Frames until it is so; the clock of the visit goes by dt_s a frame. As long as there is patience.
+    // Draws frames until the condition holds; the visit's clock advances by dt_s per frame. Returns false
+    // after a timeout.
     bool until(const std::function<bool()>& condition, double dt_s = 1.0 / 60.0);
 
     void does(const window::Event& event);
@@ -84,34 +85,34 @@ class UnseenKiosk {
     // A finger anywhere.
     void touch();
 
-    // What the screen shows, which is a little later than what the visit has come to.
+    // The screen that is shown, which follows the visit's state with a short delay.
     [[nodiscard]] std::optional<kiosk::Screen> shown_screen() const;
     [[nodiscard]] int shown_exhibit() const;
     [[nodiscard]] bool shown_closed() const;
-    // What it was made from; null before the first.
+    // The view it was composed from; null before the first.
     [[nodiscard]] std::shared_ptr<const screens::View> shown_view() const;
-    // Presses that button of the screen that is shown, as soon as it is there.
+    // Presses that button of the current screen as soon as it exists.
     bool press(kiosk::Button button, int value = 0);
-    // The pointer over it.
+    // Moves the pointer over it.
     bool point_at(kiosk::Button button, int value = 0);
 
-    // From attract to clay on the wheel, after no pot of a museum.
+    // From the attract screen to clay on the wheel, without a museum's pot as a model.
     bool begins_to_throw();
-    // To the decorating, where the pot can be drawn on; a foot that is thick is left as it is.
+    // To the decorating screen; skips the trimming of a thick foot.
     bool dries();
-    // From the drying to the glazes, with a band of iron or as it is. False: it did not get there.
+    // From drying to the glazes, with a band of iron or undecorated. Returns false if it did not get there.
     bool fires_it(bool decorates);
-    // A hand that presses the wall in, with the pointer.
+    // Presses the wall in with the pointer.
     void touch_clay(std::mt19937& chance);
-    // Opens the clay in the middle and draws its wall up, as a visitor in a hurry does: each touch again
-    // until the clay has come on. False: it did not.
+    // Opens the clay in the middle and pulls its wall up, as a visitor in a hurry does, repeating each touch
+    // until it has worked. Returns false if it did not.
     bool throw_a_pot(std::mt19937& chance);
-    // A finger along those places of the upright plane through the axis, mm, missed by some; in real time, as
-    // the clay goes.
+    // Moves a finger along those positions of the vertical plane through the axis, mm, with random errors; in
+    // real time, like the clay.
     void stroke(const std::vector<dvec2>& way_mm, double seconds, std::mt19937& chance);
 
   private:
-    // What was looked for, and what is there instead.
+    // The missing button, and the buttons that exist.
     [[nodiscard]] std::string missed(kiosk::Button button, int value) const;
 
     struct Parts;

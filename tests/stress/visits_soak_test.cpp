@@ -1,4 +1,4 @@
-// One scripted visitor after another. Memory, handles, threads and disk stay flat, and every pot that was to
+// One scripted visitor after another. Memory, handles, threads and disk use stay constant, and every pot to
 // be kept is kept. A few visitors in ./check; ONGGI_VISITS=200 for the long run, ONGGI_HOURS=24 for a day of
 // them by the clock of the visits, ONGGI_MINUTES=60 for an hour by the clock on the wall.
 #include <gtest/gtest.h>
@@ -22,13 +22,13 @@ namespace fs = std::filesystem;
 using kiosk::Button;
 using kiosk::Screen;
 
-// So many, by the environment.
+// A number from the environment, or the default.
 int wanted(const char* name, int usual) {
     const char* words = std::getenv(name);
     return words != nullptr ? std::atoi(words) : usual;
 }
 
-// From attract to attract. True where a pot was to be kept.
+// One visit from attract to attract. Returns whether a pot was to be kept.
 bool visit(UnseenKiosk& kiosk, std::mt19937& chance) {
     const auto on = [&](Screen screen) { return [&kiosk, screen] { return kiosk.screen() == screen; }; };
     kiosk.until(on(Screen::kAttract));
@@ -53,7 +53,7 @@ bool visit(UnseenKiosk& kiosk, std::mt19937& chance) {
         EXPECT_TRUE(kiosk.press(Button::kComfortDone));
     }
     if (chance() % 8 == 0) {
-        // Somebody who just walks away.
+        // A visitor who walks away.
         EXPECT_TRUE(kiosk.until(on(Screen::kAttract), 0.1));
         return false;
     }
@@ -71,7 +71,7 @@ bool visit(UnseenKiosk& kiosk, std::mt19937& chance) {
     return true;
 }
 
-// How many there are; each has to be one.
+// Counts the pots; each must be valid.
 std::size_t pots_in(const fs::path& gallery) {
     std::size_t count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(gallery)) {
@@ -133,7 +133,7 @@ TEST(Visitors, LeaveMemoryHandlesThreadsAndDiskAsTheyWereAndEveryPotOnTheShelf) 
     constexpr int kPotsOfASoak = 8;
     UnseenOptions options;
     options.real_time = minutes > 0;
-    // A soak stands back behind everybody else (nice 19), and may have to wait for long.
+    // A soak runs at the lowest priority (nice 19) and may have to wait long.
     if (minutes > 0) options.patience = std::chrono::minutes(10);
     if (minutes > 0 || hours > 0) options.most_pots = kPotsOfASoak;  // the shelf is soon full, and stays so
     const auto most_pots = static_cast<std::size_t>(options.most_pots);
@@ -147,7 +147,7 @@ TEST(Visitors, LeaveMemoryHandlesThreadsAndDiskAsTheyWereAndEveryPotOnTheShelf) 
     for (; number < count || std::chrono::steady_clock::now() < end; ++number) {
         to_keep += visit(kiosk, chance) ? 1U : 0U;
         if (HasFailure()) FAIL() << "in visit " << number + 1 << " of seed " << seed;
-        // Nobody comes for a while.
+        // No visitor for a while.
         constexpr double kAFrameS = 1.0;
         const double next_s = begun_s + 3600.0 * hours * (number + 1) / count;
         kiosk.until([&] { return kiosk.now_s() >= next_s; }, kAFrameS);

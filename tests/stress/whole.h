@@ -1,4 +1,4 @@
-// What has to be whole on the disk after a kiosk was killed, whenever that was.
+// Checks of the disk after a kiosk was killed at any moment.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,13 +35,13 @@ inline void expect_whole_pot(const std::filesystem::path& pot) {
     EXPECT_EQ(png.substr(png.size() - 8, 4), "IEND") << pot;
 }
 
-// All of the gallery's, which are added to `seen`.
+// Checks all pots of the gallery, and adds them to `seen`.
 inline void expect_whole_pots(const std::filesystem::path& gallery, std::set<std::string>& seen) {
     for (const auto& day : std::filesystem::directory_iterator(gallery)) {
         if (!day.is_directory()) continue;
         for (const auto& pot : std::filesystem::directory_iterator(day.path())) {
             const std::string name = pot.path().filename().string();
-            // What is beside is taken away at the next start.
+            // The next start removes incomplete pots.
             if (!name.starts_with("pot-") || pot.path().extension() == ".part") continue;
             expect_whole_pot(pot.path());
             seen.insert((day.path() / name).string());
@@ -54,7 +54,7 @@ struct Found {
     std::uint64_t ticks = 0;
 };
 
-// What the next life will find. On a copy: it is the next life's to take.
+// What the next start will find. Works on a copy, because reading consumes it.
 inline Found expect_whole_visit(const std::filesystem::path& gallery, const std::filesystem::path& copy,
                                 const haptic::HapticState& start,
                                 const haptic::HapticParameters& parameters) {

@@ -1,4 +1,4 @@
-// The second hand: it holds a wall, carries it along, and squeezes on the way up only.
+// The assist (second hand): it supports a wall, carries it along, and squeezes only while moving up.
 #include <algorithm>
 
 #include "tests/studio/bench.h"
@@ -174,7 +174,7 @@ TEST(Assist, AWallHeldByBothIsCarriedOutwardAndNotSqueezed) {
         EXPECT_GT(held.inner_mm, 7.5) << wall;
         EXPECT_GT(held.outer_mm, alone.outer_mm) << wall;
         EXPECT_GT(held.wall_mm, alone.wall_mm) << wall;
-        // Clay that goes from radius R to R + d thins to t R/(R + d), whatever holds it.
+        // Clay that moves from radius R to R + d thins to t R/(R + d) in any case.
         const double middle = 45.0 - 0.5 * wall;
         EXPECT_NEAR(held.wall_mm, wall * middle / (middle + 0.5 * (held.inner_mm + held.outer_mm)),
                     0.08 * wall)
@@ -200,7 +200,7 @@ TEST(Assist, TwoHandsOfOnesOwnCarryWhatTheyHold) {
         forces = hold_at(8.0 * k / 4000.0);
     EXPECT_EQ(forces.side, Side::kIn);
     EXPECT_EQ(forces.second_side, Side::kOut);
-    // Two balls hold a belly less well than a whole hand does, and better than nothing behind it.
+    // Two balls support a belly less than a whole hand, but more than nothing behind it.
     const Carried alone = belly(8.0, 0.0);
     EXPECT_NEAR(bench.inner_at(60.0), 45.0, 0.6);
     EXPECT_GT(bench.outer_at(60.0), 45.0 + alone.outer_mm + 0.3);

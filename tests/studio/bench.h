@@ -1,4 +1,5 @@
-// A studio clay on a wheel that keeps its speed, and a hand to move over it: what the known answers share.
+// A studio clay on a wheel of constant speed, and a hand to move over it: shared by the tests with known
+// answers.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -24,7 +24,7 @@ struct Wildness {
     int wires = 0;
 };
 
-// Throws like mad for so many ticks; a failure of the test is fatal there.
+// Throws wildly for `ticks` ticks; test failures are fatal here.
 void throw_wildly(unsigned seed, int ticks, Wildness& seen) {
     Bench bench({.mass_g = 1000.0, .rings = 1000, .sectors = 64});
     bench.parameters.wheel = WheelParameters();  // which a hand slows

@@ -1,4 +1,4 @@
-// A finger on a pot of clay in skilled hands: what tests of grips and of tools in the hand share.
+// A finger that guides simulated hands on a pot: shared by the tests of grips and tools.
 #pragma once
 
 #include <gtest/gtest.h>

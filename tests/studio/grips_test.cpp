@@ -1,4 +1,4 @@
-// One finger and the hands that follow it: what the clay promises whoever touches it, however they do.
+// One finger and the simulated hands that follow it: what the clay guarantees for any touch.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ TEST(Grips, LetGoInTheTickInWhichTheFingerLifts) {
     EXPECT_EQ(finger.faces(), before);
 }
 
-TEST(Grips, LeaveTheSameBitsWhoeverGoesOnFromTheMiddleOfATouch) {
+TEST(Grips, LeaveTheSameBitsWhenResumedInTheMiddleOfATouch) {
     Finger finger;
     finger.open();
     finger.input.pressing = true;

@@ -69,7 +69,7 @@ TEST(Side, AFastHandDoesNotTunnelThroughAWall) {
                 ASSERT_GE(forces.hand.stiffness_n.x, 0.0) << "it pushes back the way it came";
             }
             EXPECT_LE(fastest, 98.5) << wall << " mm at " << rate << " Hz";
-            // The hinge of the wall, 2 pi su t^2, is all that a thin wall can hold against.
+            // A thin wall resists with its hinge only, 2 pi su t^2.
             const double hinge = 2.0 * std::numbers::pi * 0.013161 * wall * wall;
             EXPECT_LT(hardest, hinge * 1.35) << wall;
             EXPECT_GT(hardest, hinge * 0.6) << wall;
@@ -124,10 +124,10 @@ TEST(Move, ARimPressedAllTheWayStaysAWallAndBecomesNoFlange) {
         const double height = bench.clay.height_mm();
         EXPECT_LT(height, 60.0) << wall << " mm";
         EXPECT_NEAR(bench.clay.floor_mm(), 12.0, 0.2) << wall << " mm";
-        // No thicker than 1.8 times what is left of it, on average; a little more at the rim.
+        // On average no thicker than 1.8 times the rest of the wall; slightly more at the rim.
         EXPECT_GT(height - 12.0, bench.wall_at(height) / 2.0) << wall << " mm";
         EXPECT_GT(height - 12.0, 8.0) << wall << " mm";
-        // Half way up the wall is all but as wide as at the rim.
+        // Half way up the wall is almost as wide as at the rim.
         EXPECT_LT(bench.outer_at(height) - bench.outer_at(0.5 * (12.0 + height)), 4.0) << wall << " mm";
         bench.hold(3.0);
         EXPECT_NEAR(bench.clay.height_mm(), height, 0.1) << wall << " mm";
@@ -147,7 +147,7 @@ TEST(Move, ALumpPressedOnTopSpreadsAsAWholeAndStaysALump) {
         const double height = bench.clay.height_mm();
         EXPECT_LT(height, 36.0) << "it gives way";
         EXPECT_GT(height, 30.0);
-        // A dome still: no ring stands out over the one below it.
+        // Still a dome: no ring overhangs the one below it.
         const auto outer = bench.clay.outer_mm();
         for (std::size_t i = 1; i < outer.size(); ++i)
             ASSERT_LT(outer[i], outer[i - 1] + 0.05) << "ring " << i;
@@ -217,7 +217,7 @@ TEST(Move, PressingDownAtTheAxisOpensTheLumpAndKeepsTheFloor) {
     EXPECT_NEAR(bench.clay.floor_mm(), 12.0, 0.5);
     EXPECT_NEAR(bench.inner_at(22.0), 9.75, 0.3);
     EXPECT_GT(bench.clay.height_mm(), StudioClay({.mass_g = 500.0}).height_mm() + 0.8)
-        << "what is pushed aside rises";
+        << "displaced clay rises";
     expect_sound(bench.clay);
 }
 
@@ -248,7 +248,7 @@ TEST(Side, NearTheAxisIsInsideAndOverTheRimIsOnTop) {
     EXPECT_NEAR(opening_radius_mm(lump, 40.0), 0.5 * outer, 1e-9);
     EXPECT_EQ(next_side(Side::kFree, lump, top + 8.0, 13.0, 10.0), Side::kIn);
     EXPECT_EQ(next_side(Side::kFree, lump, top + 8.0, 14.0, 10.0), Side::kTop);
-    // What came in is not taken back for being over a bore too small to see.
+    // A hand inside stays inside even above a bore that is too small to see.
     EXPECT_EQ(next_side(Side::kIn, lump, top + 8.0, 13.0, 10.0), Side::kIn);
     EXPECT_EQ(next_side(Side::kIn, lump, top + 8.0, 14.0, 10.0), Side::kTop);
 

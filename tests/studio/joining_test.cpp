@@ -1,5 +1,4 @@
-// Two pots rim to rim: what is kept, what is turned, what is cut out, and that the joined pot can be thrown
-// on.
+// Joining two pots rim to rim: what is preserved, turned over and cut out; the joined pot can be thrown on.
 #include "game/clay/studio/joining.h"
 
 #include <algorithm>
@@ -101,7 +100,7 @@ TEST(Joining, MirrorsDentsAndCentresAsTurningOverDoes) {
     EXPECT_FLOAT_EQ(static_cast<float>(pot->centre_mm(top).x), 0.5F);
     EXPECT_FLOAT_EQ(static_cast<float>(pot->centre_mm(top).y), -1.5F);
     EXPECT_EQ(pot->centre_mm(0).x, 0.0);
-    // Twice turned over is as it was.
+    // Turned over twice it is unchanged.
     const auto again = join_pots(bowl(50.0, 6.0, 60.0), *pot, {});
     ASSERT_TRUE(again) << again.error().message;
     const double y = again->height_mm() - (80.0 - kFloorMm);

@@ -1,4 +1,4 @@
-// What the clay carries and when it gives way; every stress worked out by hand beside it.
+// The clay's stresses and when it collapses; every stress is computed by hand in a comment.
 #include "game/clay/studio/load.h"
 
 #include <tuple>
@@ -40,7 +40,7 @@ TEST(Load, OfSpinIsHoopStress) {
     const Stress stress = stress_in(bench.clay.rings(), 500, {}, w, 0.0);
     // 1900 x (20.94)^2 x 0.1^2 = 8334 Pa.
     EXPECT_NEAR(stress.spin_kpa, 8.334, 0.01);
-    // A solid disc carries 0.41 of it.
+    // A solid disc carries 0.41 times this.
     EXPECT_NEAR(stress_in(bench.clay.rings(), 5, {}, w, 0.0).spin_kpa, 0.41 * 8.334, 0.01);
     EXPECT_EQ(stress.cause(), Cause::kSpin);
 }
@@ -174,7 +174,7 @@ TEST(Slump, ADraggingHandTwistsAThinWetNeckOffAndAStiffOneStands) {
         LoadSweep sweep;
         restart(sweep, rings);
         bool torn = false;
-        double first_index = 0.0;  // of the first look at all of it, before anything has given way
+        double first_index = 0.0;  // of the first check of all rings, before any collapse
         for (int k = 0; k < 5000 && !torn; ++k) {
             sweep_load(sweep, rings,
                        {.wheel_speed_rad_s = 1.0,
@@ -235,7 +235,7 @@ TEST(Slump, ATallWallOfSlurrySinksUnderItsWeight) {
     bench.lift();
     bench.hold(2.0);
     EXPECT_EQ(bench.clay.failure().cause, Cause::kWeight) << sentence(bench.clay.failure());
-    EXPECT_LT(bench.clay.failure().height_mm, 70.0) << "at the bottom, where all of it rests";
+    EXPECT_LT(bench.clay.failure().height_mm, 70.0) << "at the bottom, which carries the whole pot";
     EXPECT_LT(bench.clay.height_mm(), 219.0);
     // The bulge is below.
     EXPECT_GT(bench.outer_at(25.0), 45.5);
@@ -248,7 +248,7 @@ TEST(Slump, DryHandsTearAThinWetWallOff) {
     bench.wall(30.0, 1.6, 12.0, 90.0, 900);
     bench.parameters.friction_dry = 1.5;  // a hand that sticks
     bench.parameters.largest_force_n = 100.0;
-    // Two hands of one's own, 0.2 mm apart: the assist would not squeeze where nobody climbs.
+    // Two real hands, 0.2 mm apart: the assist would not squeeze without an upward motion.
     bench.input.has_second = true;
     bench.input.second.position_mm = {17.8, 70.05, 0.0};
     bench.at(45.0, 70.05);
@@ -297,9 +297,9 @@ TEST(Water, PassesFromRingToRing) {
         return sum;
     };
     const double before = water();
-    // Five minutes, looked at every 0.4 s: diffusion over sqrt(4 x 0.005 x 300) = 2.4 mm to either side.
+    // Five minutes in steps of 0.4 s: diffusion over sqrt(4 x 0.005 x 300) = 2.4 mm to either side.
     for (int step = 0; step < 750; ++step) {
-        // In the order of the load's rounds, which leans neither up nor down.
+        // In the order of the load's rounds, which has no preference up or down.
         for (int round = 0; round < 16; ++round) {
             for (int i = rings.count - 1; i >= 0; --i) {
                 if (((i ^ round) & 15) == 0)

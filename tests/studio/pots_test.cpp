@@ -1,5 +1,4 @@
-// Whole pots: what 500 g come to, that the rate of the tick makes no difference, and what a potter asks of
-// one.
+// Whole pots: the shape from 500 g, independence of the tick rate, and a potter's measures.
 #include "game/clay/studio/pot.h"
 
 #include <algorithm>
@@ -26,7 +25,7 @@ TEST(Pot, FiveHundredGramsMakeACylinderOfNinetyByAHundredAndTwentyWithWallsOfSix
     EXPECT_NEAR(pot.mass_g, 500.0, 1e-3);
     EXPECT_NEAR(pot.height_mm, 120.0, 4.0);
     EXPECT_NEAR(pot.widest_mm, 90.0, 3.0);
-    // Opened to 12 mm; pressing the foot in raises that, and the assist does not bore it down again.
+    // Opened to a floor of 12 mm; pressing the foot in raises it, and the assist does not lower it again.
     EXPECT_NEAR(pot.floor_mm, 14.4, 0.6);
     double mean = 0.0;
     int heights = 0;
@@ -50,7 +49,7 @@ Profile thrown_at(double rate_hz, const std::vector<Stroke>& strokes) {
     expect_sound(bench.clay);
     Profile profile;
     profile.height = bench.clay.height_mm();
-    // Between ring centres, so that where a ring ends does not matter; away from the step at the floor.
+    // Between ring centres, so that ring boundaries do not matter; away from the step at the floor.
     const Rings& rings = bench.clay.rings();
     const auto between = [&](const std::vector<double>& column, double y) {
         int low = rings.ring_at(y);

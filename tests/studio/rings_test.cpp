@@ -1,4 +1,4 @@
-// Rings, ledger, split and join: what the stack of clay promises.
+// Rings, ledger, split and join: the invariants of the stack of rings.
 
 #include <algorithm>
 
@@ -79,7 +79,7 @@ TEST(Rings, AreNeverJoinedAcrossTheFloor) {
     Bench bench;
     bench.wall(45.0, 6.5, 12.0, 100.0, 1000);
     Rings rings = bench.clay.rings();
-    // Rings far below their height: every one wants a neighbour, and only one of its own kind will do.
+    // Rings far below the usual height: each must be joined with a neighbour of the same kind.
     for (int i = 0; i < rings.count; ++i)
         tend_ring(rings, i, 0.5);
     rings.find_floor();

@@ -1,4 +1,5 @@
-// Off-centre clay and sectors: felt once a revolution, centred by a steady hand, dented on a standing wheel.
+// Off-centre clay and sectors: felt once per revolution, centred by a steady hand, dented on a standing
+// wheel.
 #include <algorithm>
 
 #include "tests/studio/bench.h"

@@ -1,4 +1,4 @@
-// The state as a hash and as bytes: the same everywhere, back again whole, and refused where damaged.
+// The state as a hash and as bytes: the same everywhere, restored exactly, and refused if damaged.
 #include <cstring>
 
 #include "tests/studio/throwing.h"
@@ -107,7 +107,7 @@ TEST(State, RejectsDamagedBytes) {
     EXPECT_FALSE(with_double(first_outer, std::nan("")));
     EXPECT_FALSE(with_double(first_outer, 0.0));
 
-    // No single damaged byte may do worse than be refused: what is taken ticks on.
+    // Any single damaged byte is refused or yields a state that can be ticked.
     StudioParameters parameters;
     StudioInput input;
     input.hand.position_mm = {40.0, 10.0, 0.0};

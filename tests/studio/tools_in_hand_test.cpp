@@ -1,5 +1,4 @@
-// Rib, sponge and wire in the hand that follows one finger: each does what it is picked up for, and no tool
-// can ruin a pot.
+// Rib, sponge and wire in a hand that follows a finger: each does its job, and no tool can ruin a pot.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,7 +13,7 @@ namespace {
 
 constexpr double kHoleMm = 10.0;
 
-// A cylinder with throwing rings that nobody has smoothed, from a wavelength of 4 mm to one of 14.
+// A cylinder with unsmoothed throwing rings, from a wavelength of 4 mm to one of 14.
 Finger rough_pot(double rate_hz = 1000.0) {
     Finger finger(rate_hz);
     constexpr double kHeightMm = 120.0;
@@ -124,8 +123,8 @@ TEST(ToolsInHand, TheWireLevelsTheRimToATenthOfAMillimetre) {
     EXPECT_GT(finger.clay.ledger().trimmings_mm3, 0.0);
 }
 
-// As a child scrubs: anywhere, any way, at any speed, for half a minute.
-TEST(ToolsInHand, NobodyRuinsAPotWithARibOrASponge) {
+// Scrubs like a child: anywhere, in any direction, at any speed, for half a minute.
+TEST(ToolsInHand, NoRibOrSpongeRuinsAPot) {
     for (const StudioTool tool : {StudioTool::kRib, StudioTool::kSponge}) {
         Finger finger = rough_pot();
         std::minstd_rand random(tool == StudioTool::kRib ? 7 : 11);

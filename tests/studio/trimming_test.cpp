@@ -1,4 +1,4 @@
-// A foot that skilled hands turn: what a guided trimmer takes off, and what it never does.
+// Trimming a foot with a guided trimmer: what it removes, and what it never removes.
 #include "game/clay/studio/studio_clay.h"
 
 #include "tests/studio/bench.h"
@@ -58,7 +58,7 @@ TEST(Trimming, NeverLeavesAWallUnderThreeMillimetres) {
     // Round the corner of the floor there are three millimetres too.
     const int below = rings.ring_at(kFloorMm - 1.0);
     EXPECT_GE(rings.outer_mm[Rings::at(below)], 36.0 + kTrimmedWallMm - 1e-6);
-    EXPECT_EQ(bench.clay.failure().cause, Cause::kNone) << "leather-hard clay stands on what is left";
+    EXPECT_EQ(bench.clay.failure().cause, Cause::kNone) << "leather-hard clay stands on the rest";
     EXPECT_NEAR(bench.clay.height_mm(), 90.0, 1e-3);
     expect_sound(bench.clay);
 }

@@ -1,4 +1,4 @@
-// A file of its own, so that the compiler never sees our operator new beside a call of it.
+// A separate file, so that the compiler cannot see this operator new together with its calls.
 #include "tests/support/allocation_count.h"
 
 #include <atomic>

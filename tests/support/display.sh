@@ -1,12 +1,14 @@
-# A display of a test's own. Sourced, never run.
+# A separate display for a test. Sourced, never run.
 
-# scaled NUMBER: of seconds, or of looks that take about as long each, on this machine (ONGGI_SLOWNESS, set by ctest).
+# scaled NUMBER: scales a number of seconds, or of checks of similar duration, to this machine
+# (ONGGI_SLOWNESS, set by ctest).
 scaled() { awk -v number="$1" -v slowness="${ONGGI_SLOWNESS:-1}" 'BEGIN { print int(number * slowness) }'; }
 
-# serve_display FOLDER SERVER WORD...: starts an X server, waits until it listens and sets `server` (its process) and
-# DISPLAY. What it says lies in FOLDER. The server itself picks a free number and tells it; guessing one would race with
-# other tests. Without -noreset it starts anew whenever its last client leaves, and turns away who comes just then. It
-# keeps the memory that a picture comes in: new for each frame, three million pages of a visit took it a tenth of a core.
+# serve_display FOLDER SERVER WORD...: starts an X server, waits until it listens and sets `server` (its
+# process) and DISPLAY. Its output is in FOLDER. The server chooses a free display number; guessing one would
+# race with other tests. Without -noreset it restarts whenever its last client leaves, and refuses a client
+# that connects just then. The option keeps the memory of pictures: allocated for each frame, the three
+# million pages of a visit cost a tenth of a core.
 serve_display() {
     MALLOC_MMAP_THRESHOLD_=33554432 MALLOC_TRIM_THRESHOLD_=134217728 \
         "${@:2}" -displayfd 1 -noreset -nolisten tcp >"$1/display" 2>"$1/display.log" &
@@ -21,16 +23,17 @@ serve_display() {
     unset WAYLAND_DISPLAY
 }
 
-# open_display FOLDER WxH: Xvfb. In FOLDER/Xvfb_screen0 lies what it shows, as xwd writes it.
+# open_display FOLDER WxH: Xvfb. FOLDER/Xvfb_screen0 is its picture, in xwd format.
 open_display() { serve_display "$1" Xvfb -fbdir "$1" -screen 0 "${2}x24"; }
 
-# open_touch_display FOLDER WxH: the X server of a desk with a touch screen, drawn into memory (xserver-xorg-video-dummy).
-# The screen is touched by `finger`, through the socket FOLDER/touch-screen: a relative path, because a socket's is short.
-# Of a seat with a name the server asks for no terminal.
+# open_touch_display FOLDER WxH: the X server of a machine with a touch screen, rendered into memory
+# (xserver-xorg-video-dummy). The screen is touched by `finger`, through the socket FOLDER/touch-screen: a
+# relative path, because a socket's is short. With a named seat the server needs no terminal.
 open_touch_display() {
     local folder wide=${2%x*} high=${2#*x}
     folder=$(realpath "$1")
-    # A mode of any size, at 60 Hz; a blank of 160 would count as reduced, which the monitor would have to say it bears.
+    # A mode of any size, at 60 Hz; a blanking of 160 would count as reduced, which the monitor would have to
+    # declare.
     local across=$((wide + 200)) down=$((high + 40))
     local mode="$((across * down * 60 / 1000000)) $wide $((wide + 50)) $((wide + 100)) $across $high $((high + 3)) $((high + 8)) $down"
     cat >"$folder/xorg.conf" <<CONF

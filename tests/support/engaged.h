@@ -1,5 +1,5 @@
-// The safety chain as tests of it begin: at 4 kHz, past the ramp, as after a second of calm. And the force
-// and the numbers that they feed it.
+// The initial state for tests of the safety chain: at 4 kHz, after the ramp and a second of calm. Also the
+// force and the special numbers that these tests use.
 #pragma once
 
 #include <cmath>

@@ -34,7 +34,7 @@ void FlashCount::see(double now_s, double luminance) {
     lowest_ = std::min(lowest_, luminance);
     highest_ = std::max(highest_, luminance);
     const auto change = [&](int direction, double darker) {
-        // A slope that goes on is no other change, and none is taken back before it has come to its end.
+        // A continuing slope is not another change, and a change ends only where the slope ends.
         lowest_ = highest_ = luminance;
         if (direction == direction_ || darker >= kDarkest) return;
         direction_ = direction;

@@ -1,6 +1,6 @@
-# Builds and runs the golden tests with ONGGI_BLESS as it stands in the environment, and checks that each scene named
-# there was stored. The tests themselves refuse in CI and where the tree has changes outside tests/golden.
-# cmake -DCTEST=ctest -DBUILD=folder -P golden_bless.cmake
+# Builds and runs the golden tests with ONGGI_BLESS from the environment, and checks that each named scene was
+# stored. The tests refuse in CI and if the tree has changes outside tests/golden. cmake -DCTEST=ctest
+# -DBUILD=folder -P golden_bless.cmake
 if("$ENV{ONGGI_BLESS}" STREQUAL "")
     message(FATAL_ERROR "golden-bless: expected the scenes to store, for example ONGGI_BLESS=vase,neck")
 endif()
@@ -8,7 +8,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD} RESULT_VARIABLE code)
 if(NOT code EQUAL 0)
     message(FATAL_ERROR "golden-bless: the build failed, nothing was stored")
 endif()
-# Scenes that are not named are compared as ever and may fail; only the named ones matter here.
+# Other scenes are compared as usual and may fail; only the named ones matter here.
 execute_process(COMMAND ${CTEST} --test-dir ${BUILD} -L golden --verbose OUTPUT_VARIABLE output ERROR_VARIABLE output)
 string(REPLACE "," ";" scenes "$ENV{ONGGI_BLESS}")
 foreach(scene IN LISTS scenes)

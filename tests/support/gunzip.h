@@ -1,4 +1,4 @@
-// What was packed by gzip, unpacked by zlib itself.
+// Decompresses gzip data with zlib.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace onggi::test {
 
-// At most so many bytes; what is no whole gzip file fails the test.
+// Returns at most `most` bytes; anything but a complete gzip file fails the test.
 inline std::string gunzipped(std::span<const std::byte> packed, std::size_t most) {
     std::string plain(most, '\0');
     std::string input(reinterpret_cast<const char*>(packed.data()), packed.size());

@@ -9,7 +9,7 @@
 
 namespace onggi::testing {
 
-// Two digits a byte; blanks and bars between them are for the eye.
+// Two digits per byte; blanks and bars between them are ignored.
 inline std::vector<std::uint8_t> hex(std::string_view text) {
     std::vector<std::uint8_t> bytes;
     int digits = 0;

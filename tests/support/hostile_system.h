@@ -1,5 +1,4 @@
-// Ways to make the system refuse what a program asks for, by its own means: permissions, full disks, limits.
-// They work for root and for everybody else.
+// Makes the system refuse operations: permissions, full disks, limits. Works for root and for other users.
 #pragma once
 
 #include <linux/capability.h>
@@ -13,6 +12,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -51,13 +51,13 @@ class WithoutRootRights {
     __user_cap_data_struct before_[2] = {};
 };
 
-// For a child about to run another program: permissions will bind that program, whoever it belongs to.
+// In a child before exec: permissions will bind the program even for root.
 inline void bind_permissions_across_exec() {
     ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0);
     ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH, 0, 0, 0);
 }
 
-// What `work` returns, worked out in a child process, which may change its world as it likes.
+// Runs `work` in a child process, which may change its environment freely. Returns its result.
 inline std::string in_child(const std::function<std::string()>& work) {
     int ends[2] = {-1, -1};
     if (::pipe(ends) != 0) return "no pipe";
@@ -129,7 +129,7 @@ inline void limit_file_size(std::size_t bytes) {
     ::setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-// In a child: a disk of `bytes` at `folder`, or, where nobody may mount one, files of at most so many bytes.
+// In a child: a disk of `bytes` at `folder`, or, if mounting is refused, a file size limit of `bytes`.
 inline void fill_disk_after(const std::string& folder, std::size_t bytes) {
     if (!mount_small_disk(folder, bytes)) limit_file_size(bytes);
 }
@@ -163,6 +163,31 @@ inline bool fail_listings_after(int pieces) {
                            BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, 1, 1, 0),
                            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP),
                            BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+    const sock_fprog filter{static_cast<unsigned short>(std::size(steps)), steps};
+    return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
+}
+
+// In a child: from now on the sync of a folder fails with `error`, as network and FUSE file systems have it;
+// files are synced. False where the kernel does not do that.
+inline int error_of_folder_syncs = 0;  // NOLINT: a signal handler knows nothing else
+
+inline bool refuse_folder_syncs(int error) {
+    error_of_folder_syncs = error;
+    struct sigaction answer {};
+    answer.sa_flags = SA_SIGINFO;
+    answer.sa_sigaction = [](int, siginfo_t*, void* context) {
+        greg_t* const registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
+        const int descriptor = static_cast<int>(registers[REG_RDI]);
+        struct stat status {};
+        const bool is_folder = ::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
+        registers[REG_RAX] = is_folder ? -error_of_folder_syncs : ::fdatasync(descriptor);
+    };
+    ::sigaction(SIGSYS, &answer, nullptr);
+    constexpr unsigned kNumberAt = 0;  // in struct seccomp_data
+    sock_filter steps[] = {
+        BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kNumberAt), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_fsync, 0, 1),
+        BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP), BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
     const sock_fprog filter{static_cast<unsigned short>(std::size(steps)), steps};
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
            ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;

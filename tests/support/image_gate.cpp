@@ -136,8 +136,8 @@ std::string describe_worst(const ImageDifference& difference) {
     return text;
 }
 
-// Writes what may help the eye and says where; a picture that cannot be written is said, too, and hides
-// nothing.
+// Saves a picture for inspection and returns its path; a failure to save is reported and hides no other
+// error.
 std::string save(const GateOptions& options, const std::string& name, const char* what, const Image& image) {
     const path file = options.output_folder / fmt::format("{}.{}.png", name, what);
     const Result<void> written = write_image(file, image);
@@ -150,7 +150,7 @@ std::string how_to_bless(const std::string& name) {
         "look at it, and if it is right: ONGGI_BLESS={} cmake --build BUILD --target golden-bless\n", name);
 }
 
-// The whole story of a picture that differs.
+// The full report of a picture that differs.
 std::string report(const std::string& name, const Golden& golden, const Image& image, const RenderInfo& info,
                    const GateOptions& options, const ImageDifference& difference) {
     std::string text = save(options, name, "actual", image);
@@ -194,7 +194,7 @@ AssertionResult store(const std::string& name, const Image& image, const RenderI
          {write_image(png, image), write_text(sidecar_of(options, name), sidecar_text(info))}) {
         if (!written) return AssertionFailure() << name << ": not stored: " << written.error().message;
     }
-    // The line that the bless target looks for.
+    // The line that the bless target parses.
     fmt::print("blessed: {}\n  new: {}\n{}  {}\n", name, png.string(), old_copy, numbers);
     return AssertionSuccess();
 }
@@ -207,7 +207,7 @@ AssertionResult compare(const std::string& name, const Golden& golden, const Ima
     const std::string numbers = describe(difference, limits);
     if (!same_driver) {
         fmt::print(
-            "{}: drawn by {} {}, the golden by {} {}: wider limits; bless anew when the project moves to "
+            "{}: drawn by {} {}, the golden by {} {}: wider limits; bless again when the project moves to "
             "it\n",
             name, info.driver, info.version, golden.info.driver, golden.info.version);
     }

@@ -1,12 +1,13 @@
-// The gate of the golden pictures: does a picture just drawn equal the one that was looked at and stored?
+// The gate of the golden pictures: compares a picture with its approved, stored one.
 //
 //     EXPECT_TRUE(matches_golden("vase", image, render_info));
 //
 // Stored: NAME.png, and beside it NAME.json with the driver that drew it, the state it shows, and its
-// tolerances. Two limits, because each alone is blind: a fraction of pixels that differ visibly finds a moved
-// edge but not light that is 1 % weaker, a mean difference finds the light but drowns a few wrong pixels.
-// Nothing is ever stored by a test that merely runs; storing needs ONGGI_BLESS=NAME,NAME in the environment
-// (target golden-bless), no CI=true, and a tree without changes outside tests/golden. Main thread.
+// tolerances. Two limits, because neither alone is enough: a fraction of pixels that differ visibly finds a
+// moved edge but not light that is 1 % weaker, a mean difference finds the light but drowns a few wrong
+// pixels. Nothing is ever stored by a test that merely runs; storing needs ONGGI_BLESS=NAME,NAME in the
+// environment (target golden-bless), no CI=true, and a tree without changes outside tests/golden. Main
+// thread.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,13 +22,13 @@
 
 namespace onggi::support {
 
-// Who drew the picture, and of what.
+// The driver and the scene of a picture.
 struct RenderInfo {
     std::string driver;  // VkPhysicalDeviceDriverProperties::driverName
     std::string
         version;  // its driverInfo's Mesa version or the like; a picture is exact only within one version
     std::string driver_info;  // the whole driverInfo, which names LLVM
-    std::string state_hash;   // of the recording or state that is shown
+    std::string state_hash;   // of the shown recording or state
 };
 
 struct Tolerances {
@@ -47,11 +48,12 @@ struct GateOptions {
     bool strict = false;                  // another driver's differences fail, too
     bool in_ci = false;
     std::set<std::string> bless;  // scenes to store instead of comparing
-    // Paths that differ from the last commit, outside the goldens; asked before anything is stored.
+    // Returns the paths that differ from the last commit, outside the goldens; called before storing.
     std::function<Result<std::string>()> dirty_paths;
 };
 
-// Of the environment: CI, ONGGI_BLESS, ONGGI_GOLDEN_STRICT; tests/golden/images/lavapipe-22.3; BUILD/golden.
+// Options from the environment: CI, ONGGI_BLESS, ONGGI_GOLDEN_STRICT; tests/golden/images/lavapipe-22.3;
+// BUILD/golden.
 GateOptions gate_options_from_environment();
 
 // `git status` of the repository, without tests/golden; empty if clean. kFailed if git cannot tell.

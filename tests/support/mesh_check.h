@@ -1,6 +1,6 @@
-// Is a file a sound solid? Reads GLB and STL back with a reader that shares no code with the writers, and
-// looks for what a format validator lets pass: the Khronos validator finds nothing wrong with a pot turned
-// inside out. Any thread.
+// Checks that a file is a sound solid. Reads GLB and STL with readers that share no code with the writers,
+// and looks for faults that a format validator misses: the Khronos validator finds nothing wrong with a pot
+// turned inside out. Any thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -31,7 +31,7 @@ struct GlbFile {
     std::uint32_t index_bytes = 0;  // 2 or 4
 };
 
-// GLB with one mesh of one indexed triangle primitive. kBadInput says what is wrong with it.
+// Reads a GLB with one mesh of one indexed triangle primitive. Error: kBadInput with the fault.
 Result<GlbFile> read_glb(std::span<const std::byte> bytes);
 
 // Binary STL, mm, +Z up, turned back to +Y up. Corners at bit-equal positions with bit-equal normals become
@@ -47,13 +47,13 @@ struct ExpectedPot {
     double min_normal_agreement = 0.93;  // cosine between a vertex's normal and each of its faces'
     int euler = 2;                       // V - E + F: 0 for a tube, 2 more for each closed hollow
     int parts = 1;
-    double off_axis_m = 0.0;  // how far the middle may lie from the axis
+    double off_axis_m = 0.0;  // allowed distance of the centre from the axis
 };
 
-// Each fault one sentence, at most one a kind; none for a sound pot: no unreferenced vertex, no degenerate
-// triangle, each directed edge once and its opposite once (by position, bit for bit), the parts, V - E + F,
-// faces outward, the volume, unit normals that agree with the faces, base at y = 0, the height, the
-// largest radius, the axis.
+// Returns one sentence per fault, at most one of each kind; empty for a sound pot. Checks: no unreferenced
+// vertex, no degenerate triangle, each directed edge once and its opposite once (by position, bit for bit),
+// the parts, V - E + F, faces outward, the volume, unit normals that agree with the faces, base at y = 0, the
+// height, the largest radius, the axis.
 std::vector<std::string> find_faults(const SolidMesh& mesh, const ExpectedPot& expected);
 
 // Divergence theorem; negative for a solid turned inside out.

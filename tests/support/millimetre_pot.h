@@ -1,4 +1,4 @@
-// A pot of rings of a millimetre each, for whoever reads pots and throws none.
+// A pot of rings of a millimetre each, for tests that need a pot without throwing.
 #pragma once
 
 #include <cmath>

@@ -11,7 +11,7 @@ namespace onggi::clay {
 
 constexpr double kWallRadiusMm = 60.0;  // R_0 of the default lump
 
-// A tool at a height, pressed depth_mm into the wall of a lump nobody has touched, on the +X side.
+// A tool at a height, pressed depth_mm into the wall of an untouched lump, on the +X side.
 [[nodiscard]] inline ToolInput tool_in_wall(double depth_mm, bool wheel_turning, double tool_radius_mm = 10.0,
                                             double height_mm = 100.0) {
     return {.position_mm = {kWallRadiusMm + tool_radius_mm - depth_mm, height_mm, 0.0},

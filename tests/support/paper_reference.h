@@ -1,7 +1,7 @@
 // The paper's equations once more, written down as they are printed: every element is an object with its
 // centre, radius, height and normal, all in double, and every one of them is visited every tick. It shares no
-// code with game/clay beyond the types of its input and output. The tests compare the clay with it, and the
-// benchmarks take it as the yardstick. Any one thread at a time. Units: mm, N, s, rad.
+// code with game/clay beyond the types of its input and output. Tests compare the clay with it, and
+// benchmarks use it as the baseline. Any one thread at a time. Units: mm, N, s, rad.
 #pragma once
 
 #include <span>
@@ -34,7 +34,7 @@ class PaperReference {
     dvec3 previous_position_mm_{0.0};
     bool first_tick_ = true;
     dvec3 radial_unit_{1.0, 0.0, 0.0};
-    // std::pow is asked again only when one of these changes, so that the yardstick is not slowed by it.
+    // std::pow is called only when one of these changes, to keep the baseline fast.
     double fraction_c1_ = 0.0;
     double fraction_r1_ = 0.0;
     double fraction_rate_hz_ = 0.0;

@@ -12,7 +12,7 @@ namespace onggi::test {
 // ctest sets. At least 1.
 inline double slowness() {
     const char* measured = std::getenv("ONGGI_SLOWNESS");
-    // 1 first: what is no number is compared in vain.
+    // 1 is the first argument: std::max then returns it if the other is NaN.
     return measured == nullptr ? 1.0 : std::max(1.0, std::strtod(measured, nullptr));
 }
 

@@ -19,7 +19,8 @@ struct Maker {
     std::int64_t direction_full;
     std::uint32_t direction_bits;
     bool start_delay_first, start_delay_last, type_specific_offset;
-    bool is_sparse;  // no parameter block offset, negative side or dead band
+    bool is_sparse;  // no parameter block offset, negative side, dead band or collection around the control
+                     // list
 };
 
 constexpr Maker kOpenFfboard{.set_effect = 0x01,
@@ -141,14 +142,16 @@ void orders(Builder& to, const Maker& maker, bool control_is_mask) {
     block_index(to, maker);
     to.end();
 
-    to.open(0x95).report_id(maker.control).open(0x96);
+    if (!maker.is_sparse) to.open(0x95);
+    to.report_id(maker.control).open(0x96);
     if (control_is_mask) {
         to.usages({0x97, 0x98, 0x99, 0x9a, 0x9b, 0x9c}).logical(0, 1).size(1, 6).output();
         to.size(1, 2).output(Builder::kConstant);
     } else {
         to.usages({0x98, 0x97, 0x99, 0x9a, 0x9b, 0x9c}).logical(1, 6).size(8, 1).output(Builder::kArray);
     }
-    to.end().end();
+    to.end();
+    if (!maker.is_sparse) to.end();
 
     to.open(0x7d).report_id(maker.gain_report).usage(0x7e);
     to.logical(0, maker.gain_full).size(maker.gain_bits, 1).output().end();

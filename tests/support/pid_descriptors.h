@@ -15,7 +15,7 @@ std::vector<std::uint8_t> open_ffboard_descriptor();
 std::vector<std::uint8_t> rhino_descriptor();
 // After the third layout, ArduinoJoystickWithFFBLibrary: 8-bit gain and direction, and the fields that some
 // firmwares lack left out: start delay, parameter block offset, negative coefficient and saturation, dead
-// band.
+// band, and the Device Control collection around its list.
 std::vector<std::uint8_t> sparse_descriptor();
 
 }  // namespace onggi::testing

@@ -1,5 +1,5 @@
-// Where the checkout and its build lie. Known to one object file alone, so that ccache finds all others again
-// in another checkout.
+// Where the checkout and its build lie. Compiled into one object file only, so that ccache hits for all
+// others in another checkout.
 #pragma once
 
 #include <string>

@@ -42,7 +42,7 @@ PotSample sharp_steps(int element_count) {
     return pot;
 }
 
-// Element by element anything from the floor to the lump, by a fixed generator (Marsaglia's xorshift).
+// A random radius from floor to lump for each element, by a fixed generator (Marsaglia's xorshift).
 PotSample rough(int element_count) {
     std::uint32_t state = 2463534242U;
     PotSample pot = turned("rough_" + std::to_string(element_count), element_count, [&state](double) {

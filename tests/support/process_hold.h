@@ -1,4 +1,4 @@
-// What this process holds of the machine: more after than before is a leak. Any thread.
+// Resources of this process: growth is a leak. Any thread.
 #pragma once
 
 #include "engine/core/list_folder.h"

@@ -9,7 +9,7 @@
 
 namespace onggi::test {
 
-// The one line that a result says of bad input; "accepted" where it does not refuse it.
+// The error message of a result for bad input; "accepted" if there is no error.
 template <typename T>
 [[nodiscard]] std::string refusal(const Result<T>& result) {
     if (result) return "accepted";

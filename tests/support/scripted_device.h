@@ -1,5 +1,5 @@
-// A device that reads a smooth, endless path of a tool into and out of the clay, worked out without libm's
-// trigonometry so that it is the same everywhere, and keeps what was written to it. One thread.
+// A device that reads a smooth, endless path of a tool into and out of the clay, computed without libm's
+// trigonometry so that it is the same everywhere, and stores what was written to it. One thread.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// A HID bus and device made of a script, for tests: reports that wait in a queue, answers, faults, and a log
-// of all that was sent. No thread and no time: reads never wait, pauses are added up.
+// A scripted HID bus and device, for tests: queued reports, answers, faults, and a log of everything sent. No
+// thread and no time: reads never wait, pauses are added up.
 #pragma once
 
 #include <deque>
@@ -16,16 +16,17 @@
 
 namespace onggi::testing {
 
-// What the test and the fake share.
+// Shared by the test and the fake.
 struct ScriptedHid {
     haptics::HidDeviceInfo info;
     std::vector<haptics::HidDeviceInfo> others;  // listed before it; opened, they are the same device
     bool is_plugged_in = true;
-    bool read_fails = false;  // the first notice a real port gives of a removal
+    bool read_fails = false;  // the first sign of a removal at a real port
     bool write_fails = false;
+    std::string refused;                          // writes that begin so ("0c 08") fail, the device stays
     std::deque<std::vector<std::uint8_t>> queue;  // reports not read yet
     std::vector<std::string> sent;                // "w 04 01", "s 11 01 00 00" and "g 12", in order
-    // Answers by report id, taken in order; the last one stays. None: the device is gone.
+    // Answers by report id, used in order; the last one repeats. Empty: the device is gone.
     std::map<std::uint8_t, std::deque<std::vector<std::uint8_t>>> features;
     int times_opened = 0;
     int open_ports = 0;
@@ -57,7 +58,8 @@ class ScriptedPort final : public haptics::hid::HidPort {
         return size;
     }
     Result<void> write(std::span<const std::uint8_t> report) override {
-        if (script_->write_fails) return failed("write");
+        const bool is_refused = !script_->refused.empty() && as_hex(report).starts_with(script_->refused);
+        if (script_->write_fails || is_refused) return failed("write");
         script_->sent.push_back("w " + as_hex(report));
         return {};
     }

@@ -1,6 +1,5 @@
-// Makes a damaged session file's checksums agree with what it holds: honest checksums over dishonest content,
-// so that tests and fuzzers reach what lies behind them. Written from engine/record/README.md, not from the
-// code under test.
+// Corrects the checksums of a damaged session file, so that tests and fuzzers reach the checks behind them.
+// Written from engine/record/README.md, not from the code under test.
 #pragma once
 
 #include <zlib.h>
@@ -34,12 +33,12 @@ template <typename T>
         ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
-// Precondition of both: the header, or the head of a block, stands there whole.
+// Precondition of both: the header, or the head of a block, is complete.
 inline void mend_session_header(std::string& bytes) {
     put_at(bytes, 68, crc_of(std::string_view(bytes).substr(0, 68)));
 }
 
-// Gives the offset behind the block, or 0 if it reaches beyond the file.
+// Returns the offset after the block, or 0 if it extends beyond the file.
 inline std::size_t mend_session_block(std::string& bytes, std::size_t at) {
     const std::string_view view = bytes;
     std::size_t end = at + kSessionBlockHeadBytes;

@@ -39,7 +39,7 @@ inline std::vector<sharing::OutlinePoint> jar_inside() {
     return inside;
 }
 
-// With every file there is; `mark` is in each of them.
+// With every kind of file; each contains `mark`.
 inline sharing::SharedPot full_pot(const std::string& mark) {
     sharing::SharedPot pot;
     pot.picture.bytes = like_a_png("picture " + mark);

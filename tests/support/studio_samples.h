@@ -17,7 +17,7 @@ struct StudioSample {
     int euler = 2;  // V - E + F of the solid
     int parts = 1;
     double off_axis_mm = 0.0;  // by dents, a bump, or clay beside the axis
-    bool calm = true;  // as a hand leaves it that does not jerk: within 0.02 mm, normals as on a smooth wall
+    bool calm = true;          // left by a smooth hand: within 0.02 mm, normals as on a smooth wall
 };
 
 // A fresh lump (solid, off centre), a thrown cylinder as it stands and glaze-fired, a thrown vase

@@ -32,7 +32,7 @@ class TemporaryFolder {
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
-    // Names in the folder, sorted, the hidden ones too: what a failed output must not have added to.
+    // Names in the folder, sorted, including hidden ones: a failed output must add none.
     [[nodiscard]] std::vector<std::string> names() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::directory_iterator(path_)) {

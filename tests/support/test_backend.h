@@ -1,5 +1,4 @@
-// Who draws in tests of the moving picture: ONGGI_TEST_BACKEND, "gpu", "cpu" or "auto"; auto where it is not
-// set.
+// The backend for tests of the moving picture: ONGGI_TEST_BACKEND, "gpu", "cpu" or "auto" (default).
 #pragma once
 
 #include <gtest/gtest.h>

@@ -15,9 +15,9 @@ namespace onggi::support {
 struct ThreeMfFile {
     SolidMesh mesh;  // turned back to metres and +Y up; without normals of its own, so each is zero
     std::map<std::string, std::string> words;  // metadata by name
-    std::vector<std::byte> thumbnail;          // empty: none
+    std::vector<std::byte> thumbnail;          // empty: no thumbnail
     bool is_millimetres = false;
-    bool is_manifold = false;  // in the library's own eyes: closed and oriented
+    bool is_manifold = false;  // by the library: closed and oriented
     int objects = 0;
     int items = 0;  // on the build plate
 };

@@ -29,9 +29,9 @@ class TwoDrivers {
         std::ifstream manifest_file(first);
         auto manifest = nlohmann::json::parse(manifest_file);
         fs::path library = manifest.at("ICD").at("library_path").get<std::string>();
-        // A name alone is one of the system's libraries, in the folder of all of them.
+        // A bare name is a library in the system's library folder.
         if (library.is_relative()) library = fs::path("/usr/lib") / ONGGI_LIBRARY_FOLDER / library;
-        // By a name that the list of leaks that are not ours knows.
+        // Under a name that the list of foreign leaks contains.
         const fs::path copy = folder_ / "other_libvulkan_lvp.so";
         fs::copy_file(library, copy);
         manifest["ICD"]["library_path"] = copy.string();
@@ -39,7 +39,7 @@ class TwoDrivers {
         manifests_ = first.string() + ":" + (folder_ / "other.json").string();
     }
 
-    // What VK_DRIVER_FILES and VK_ICD_FILENAMES, its older name, are to say.
+    // The value for VK_DRIVER_FILES and VK_ICD_FILENAMES, its older name.
     [[nodiscard]] const std::string& manifests() const { return manifests_; }
 
   private:

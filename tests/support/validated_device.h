@@ -1,4 +1,4 @@
-// A device under the eye of the validation layer: what that says fails the test. Main thread.
+// A device with the validation layer: any message fails the test. Main thread.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ class ValidatedDevice : public ::testing::Test {
         instance_ = std::move(opened->instance);
         device_ = std::move(opened->device);
     }
-    // Whoever holds something of the device lets go of it first.
+    // Objects of the device must be destroyed first.
     void TearDown() override {
         device_.reset();
         if (!instance_) return;

@@ -1,4 +1,4 @@
-// A clock that moves only when it is told to, for everything that waits. One thread.
+// A clock that advances only on calls, for tests of waiting code. One thread.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class VirtualClock {
         ++spins;
     }
 
-    // Work that takes so long.
+    // Advances the clock by work of that duration.
     void pass(std::int64_t duration_ns) noexcept { now_ns_ += duration_ns; }
     void oversleep_once(std::int64_t by_ns) noexcept { next_oversleep_ns_ = by_ns; }
 

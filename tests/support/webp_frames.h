@@ -11,13 +11,13 @@ namespace onggi::test {
 
 struct WebpFrames {
     std::vector<asset::Image> images;
-    std::vector<int> ends_ms;  // when each of them makes room for the next
+    std::vector<int> ends_ms;  // the end time of each
     int plays = 0;             // 0: without end
 };
 
 // Throws std::runtime_error where libwebp refuses the bytes.
 [[nodiscard]] WebpFrames webp_frames(std::span<const std::byte> file);
-// Of the bytes of two pictures of one size.
+// The mean absolute difference of the bytes of two pictures of one size.
 [[nodiscard]] double mean_difference(const asset::Image& a, const asset::Image& b);
 
 }  // namespace onggi::test

@@ -1,5 +1,5 @@
 // The whole population: at least two hundred visitors of every kind, then with an aim twice as bad, and with
-// half and two and a half times the clay. A sheet of their pots lies in build/<preset>/visitors.png.
+// half and two and a half times the clay. Writes a sheet of their pots to build/<preset>/visitors.png.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
-// Films visitors at the whole kiosk, for who wants to see what they see: a sheet of pictures of each. Not a
-// test: look at it.
+// Films visitors at the whole kiosk: a sheet of pictures for each, for inspection. Not a test.
 //   visitors_film_strip FOLDER                           a lesson, a bowl, a vase, a scribble
-//   visitors_film_strip FOLDER KIND SEED [FROM_S TO_S]   one of them, or some seconds of it
+//   visitors_film_strip FOLDER KIND SEED [FROM_S TO_S]   one visitor, or some seconds of the visit
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +26,7 @@ struct Take {
     double to_s = 1e9;
 };
 
-// So many of them, evenly.
+// Selects evenly spaced shots.
 std::vector<const FilmedRig::Shot*> chosen(const std::vector<FilmedRig::Shot>& film, const Take& take) {
     std::vector<const FilmedRig::Shot*> all;
     for (const FilmedRig::Shot& shot : film)

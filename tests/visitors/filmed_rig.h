@@ -1,5 +1,5 @@
 // The whole kiosk under a visitor's pointer, filmed: the real view, screens and job, in real time, because
-// the job knows no other. mm, s, pixels.
+// the job runs in real time. mm, s, pixels.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ class FilmedRig final : public WheelRig {
         asset::Image picture;  // with a cross where the pointer is
     };
 
-    // Comes to the kiosk and puts clay on. A picture is taken every `every_s`.
+    // Starts a visit and puts clay on the wheel. Takes a picture every `every_s`.
     FilmedRig(const std::filesystem::path& gallery, double every_s);
 
     void frame(const dvec2& pointer_mm, bool pressed) override;
@@ -36,7 +36,7 @@ class FilmedRig final : public WheelRig {
     [[nodiscard]] const pot::Pot& shape() const { return *kiosk_.snapshot().pot; }
     void take_picture(const dvec2& pointer_px, bool pressed);
 
-    mutable app::UnseenKiosk kiosk_;  // who looks at the newest snapshot takes it
+    mutable app::UnseenKiosk kiosk_;  // reading the newest snapshot consumes it
     double every_s_;
     double began_s_ = 0.0;
     double next_s_ = 0.0;

@@ -30,7 +30,7 @@ Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn) {
                     .capacity_ml = measures.capacity_ml,
                     .thinnest_mm = measures.thinnest_wall_mm,
                     .thickest_mm = measures.thickest_wall_mm};
-    // Over a millimetre, which is what an eye sees of a slope.
+    // Over a millimetre, the scale at which a slope is visible.
     int steep = 0;
     int steps = 0;
     for (double y = 0.5; y + 1.0 < verdict.height_mm; y += 1.0) {
@@ -42,7 +42,7 @@ Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn) {
         double sum = 0.0;
         int count = 0;
         for (const dvec2& point : drawn) {
-            // What stands above or is missing below the drawn rim is as wrong as its radius.
+            // Clay above the drawn rim, or missing below it, counts with its radius as the error.
             const double radius = point.y <= verdict.height_mm ? outer_at(rings, point.y) : 0.0;
             const double off = std::min(std::fabs(radius - point.x), 60.0);
             sum += off * off;

@@ -1,4 +1,4 @@
-// Whether what a visitor leaves is a pot one would keep: by what it is, not by what was pressed.
+// Judges whether a visitor's result is a pot worth keeping, by its shape, not by the actions.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct Verdict {
     double capacity_ml = 0.0;
     double thinnest_mm = 0.0;
     double thickest_mm = 0.0;
-    double steep_fraction = 0.0;  // of its height, that leans more than 2 to 1
-    double drawn_rms_mm = 0.0;    // from the outline that was meant; 0 where none was
+    double steep_fraction = 0.0;  // fraction of the height that leans more than 2 to 1
+    double drawn_rms_mm = 0.0;    // from the intended outline; 0 without one
     bool is_pot = false;
     std::string why_not = {};
 };
@@ -24,7 +24,7 @@ struct Verdict {
 // height leans more than 2 to 1.
 Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn_mm);
 
-// Of the clay that a session left at its end, which is worked out again. Bad input: what start_pot() refuses.
+// Judges the clay at the end of a session, which is replayed. Error: as start_pot().
 Result<Verdict> judge_session(const std::string& file);
 
 // "412 ml, 96 mm high, walls 4.1 to 12.3 mm, steep on 0 % of its height": one line.

@@ -1,5 +1,5 @@
-// Says on one line whether a kept session left a pot one would keep: judge_session SESSION.onggi. Exit code
-// 0: it is one; 1: it is none, and why; 2: there is no such session.
+// Prints on one line whether a session's pot is worth keeping: judge_session SESSION.onggi. Exit code 0: yes;
+// 1: no, with the reason; 2: no such session.
 #include <fmt/format.h>
 
 #include <cstdio>

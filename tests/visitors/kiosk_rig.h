@@ -1,6 +1,6 @@
-// The kiosk's wheel under a visitor's pointer: from the window's events by the kiosk's own pointer and hand,
-// the device behind it and the tick to the clay, a virtual clock throughout. Only the picture is missing; the
-// pointer's pixels lie on the clay's plane as they do on a screen 1280 wide.
+// The kiosk's wheel under a visitor's pointer: window events pass through the kiosk's pointer, hand, device
+// and tick to the clay, on a virtual clock. There is no picture; pixels map to the clay's plane as on a
+// screen 1280 wide.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,8 @@ class KioskRig final : public WheelRig {
   public:
     explicit KioskRig(double mass_g);
 
-    // Radius and height from below; empty: none. The kiosk helps along it, less with each step of the lesson.
+    // Shows an outline, radius and height from below; empty: no outline. The kiosk assists along it, less
+    // with each step of the lesson.
     void show_outline(const std::vector<dvec2>& outline_mm);
     void frame(const dvec2& pointer_mm, bool pressed) override;
     [[nodiscard]] double height_mm() const override { return clay().height_mm(); }
@@ -27,7 +28,7 @@ class KioskRig final : public WheelRig {
     [[nodiscard]] double inner_mm(double y_mm) const override;
 
     [[nodiscard]] const clay::StudioClay& clay() const { return *state_.studio(); }
-    // Both faces of every ring, bottom first, as they were when the pointer was last let go.
+    // Both faces of every ring, bottom first, at the last release of the pointer.
     [[nodiscard]] const std::vector<double>& released_mm() const { return released_mm_; }
     [[nodiscard]] std::vector<double> faces_mm() const;
 

@@ -1,5 +1,5 @@
-// Visitors on the way of the moon jar: two bowls each, after the outline that the kiosk shows and the bowl
-// that they have set aside, joined as far to the side as they happen to. Judged by the jar.
+// Visitors who make a moon jar: two bowls each, following the shown outline and the bowl set aside, joined
+// with a random offset. The jar is judged.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ struct Jar {
     double rms_mm = 0.0;
     double load = 0.0;
     double capacity_ml = 0.0;
-    double belly = 0.0;  // of the height, where it is widest
+    double belly = 0.0;  // height of the widest point, as a fraction
     double off_round_mm = 0.0;
     double ledger_error_mm3 = 0.0;
     bool stands = false;
@@ -50,7 +50,7 @@ clay::StudioClay throw_bowl(std::uint64_t seed, const std::vector<dvec2>& shown,
     return rig.clay();
 }
 
-// Turns under it for ten seconds, nobody touches it.
+// Turns the jar for ten seconds without a touch.
 void stand(clay::StudioClay& jar) {
     constexpr int kTicks = 10'000;
     constexpr double kWheelRadS = 8.0;

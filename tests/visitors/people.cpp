@@ -28,15 +28,15 @@ class Person {
     [[nodiscard]] double seconds() const { return seconds_; }
     [[nodiscard]] double released_s() const { return released_s_; }
 
-    // Off the mark by so much each way. One draw after the other: in what order a call works out its
-    // arguments is the compiler's choice, and a seed is to be the same person with each.
+    // A random aiming error in each direction. Two separate statements, because the evaluation order of
+    // arguments depends on the compiler, and a seed must be the same person with each.
     [[nodiscard]] dvec2 miss_mm(double deviation_mm) {
         const double up = normal(deviation_mm);
         const double out = normal(deviation_mm);
         return {out, up};
     }
 
-    // Looks, thinks, moves the pointer about.
+    // Waits, as if looking, and moves the pointer a little.
     void wait(double seconds) {
         for (double t = 0.0; t < seconds; t += kFrameS)
             frame(at_ + miss_mm(0.3), false);
@@ -49,8 +49,8 @@ class Person {
             frame(from + (place - from) * (t / seconds), false);
     }
 
-    // Presses along those places in so many seconds, each end missed by the aim and the way wandered about.
-    // Places have the radius of the side they are on, negative beyond the axis.
+    // Presses along `way` in `seconds`, with aiming errors at the ends and deviations on the way. Radii are
+    // negative beyond the axis.
     void stroke(std::vector<dvec2> way, double seconds) {
         for (dvec2& place : way)
             place.x *= side_;
@@ -90,7 +90,7 @@ class Person {
         if (made_s < 0.0 && rig_.depth_mm() > 18.0 && (rig_.height_mm() > 75.0)) made_s = seconds_;
     }
 
-    // To the button at the right below, where nothing is pressed for a while.
+    // Moves to the button at the lower right and waits before pressing.
     void go_to_done() {
         reach(dvec2(150.0, -60.0), 1.0);
         wait(1.5);
@@ -209,7 +209,7 @@ std::vector<dvec2> outline_through(const std::vector<dvec2>& knots, double heigh
     return outline;
 }
 
-// What one has in mind goes with the clay one sees: 1 for the 62 mm of a kilogram.
+// The intended size scales with the visible clay: 1 for the 62 mm of a kilogram.
 double size_seen(const WheelRig& wheel) {
     return wheel.outer_mm(0.3 * wheel.height_mm()) / 62.0;
 }
@@ -267,7 +267,7 @@ std::vector<dvec2> draw(Person& person, const std::vector<dvec2>& outline) {
         }
         person.stroke(outline, person.uniform(2.5, 5.0));
         person.note_progress();
-        // Content sooner or later: the longer it takes, the more passes for what was meant.
+        // The tolerance grows with each stroke, so everyone is satisfied sooner or later.
         if (i >= 2 && seen_error_mm(wheel, outline) < 1.6 + 0.3 * i) break;
     }
     return outline;

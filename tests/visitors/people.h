@@ -1,6 +1,6 @@
-// Simulated visitors: who know no more than the screen shows, and aim and pace as people do. Every one is
-// made of a kind and a seed, so that a pot can be thrown again. Their behaviour is what they intend and how
-// they miss; what the clay makes of it is not theirs to decide.
+// Simulated visitors, who know only what the screen shows, and aim and move like people. A kind and a seed
+// determine each, so that a pot can be thrown again. They model intention and error only; the clay decides
+// the result.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class Kind {
     kHoldsStill,      // presses and waits
     kFollowsOutline,  // draws the outline that is shown on the clay
 };
-constexpr int kKindCount = 9;  // of those who come with nothing but what they see
+constexpr int kKindCount = 9;  // number of kinds above that follow no outline
 constexpr std::array<std::string_view, kKindCount + 1> kKindNames{
     "lesson", "left hand", "top first",   "outside pull", "bowl",
     "vase",   "scribble",  "lifts often", "holds still",  "follows an outline"};
@@ -38,11 +38,11 @@ struct Skill {
 struct Visit {
     double seconds = 0.0;         // to the last release
     double made_s = -1.0;         // until the clay was hollow and raised; -1: never
-    std::vector<dvec2> drawn_mm;  // the outline that was meant, radius and height from below; empty: none
+    std::vector<dvec2> drawn_mm;  // the intended outline, radius and height from below; empty: no outline
 };
 
 // Throws until they are content or tired, then moves on to the button that ends it, 2.5 s of hovering.
-// shown_mm: the outline on the clay, radius and height from below, for who follows one.
+// shown_mm: the outline on the clay, radius and height from below, for kFollowsOutline.
 Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig,
                   const std::vector<dvec2>& shown_mm = {});
 

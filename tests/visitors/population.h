@@ -1,4 +1,4 @@
-// So many visitors of a kind, one after another on wheels of their own, and what came of them.
+// A number of visitors of a kind, each on a separate wheel, and their results.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@ struct Crowd {
     std::uint64_t first_seed = 1;
     double mass_g = 1000.0;
     Skill skill{};
-    std::vector<dvec2> shown_mm{};  // the outline that the kiosk shows and helps along; empty: none
+    std::vector<dvec2> shown_mm{};  // the outline that the kiosk shows and assists; empty: no outline
 };
 
-// What one of them left.
+// The result of one visitor.
 struct Left {
     std::uint64_t seed = 0;
     Visit visit;
@@ -31,14 +31,14 @@ struct Left {
 
 std::vector<Left> throw_pots(const Crowd& crowd);
 
-// Shares of 1.
+// A fraction, 0 to 1.
 double fraction_of_pots(const std::vector<Left>& all);
 double fraction_within_mm(const std::vector<Left>& all, double rms_mm);
 bool all_untouched(const std::vector<Left>& all);
 double median_rms_mm(const std::vector<Left>& all);
-double median_made_s(const std::vector<Left>& all);  // those who never made one count as for ever
+double median_made_s(const std::vector<Left>& all);  // visitors without a pot count as infinity
 
-// A line for each that is no pot, for who reads the failure.
+// One line for each failed pot, for the test's message.
 std::string words_for(const std::vector<Left>& all);
 
 // Writes their pots as a picture, a row a crowd, half outside and half cut, the outline they meant in white.

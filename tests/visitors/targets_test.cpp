@@ -1,5 +1,4 @@
-// Visitors who chose a museum's pot and follow the outline that the kiosk shows them, with the help it gives:
-// what is offered can be thrown.
+// Visitors follow the outline of a museum's pot with the kiosk's assistance: every offered pot can be thrown.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +12,7 @@
 namespace onggi::visitors {
 namespace {
 
-// Of an outline's height, that leans more than a pot may: see judge.h.
+// The fraction of an outline's height that leans more than a pot may: see judge.h.
 double steep_fraction(const std::vector<vec2>& outline) {
     constexpr float kSteepest = 2.0F;
     const auto steps = static_cast<std::ptrdiff_t>(outline.size()) - 1;
@@ -44,7 +43,7 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
                                      .first_seed = 41,
                                      .shown_mm = {outline.begin(), outline.end()}});
         EXPECT_EQ(fraction_of_pots(all), 1.0) << target.id << "\n" << words_for(all);
-        // Hands leave no wall that leans more than a pot may: of the wide bowl they throw what stands.
+        // Hands cannot throw a wall that leans more than a pot may, so the wide bowl is only partly reached.
         if (steep_fraction(outline) <= kMostSteep) {
             EXPECT_LE(median_rms_mm(all), 4.0) << target.id;
             EXPECT_GE(fraction_within_mm(all, 8.0), 0.8) << target.id;

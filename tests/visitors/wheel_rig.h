@@ -1,5 +1,5 @@
-// What a simulated visitor has before them: the wheel as they see it, and a pointer. mm on the upright plane
-// through the axis, x to the right, y up from the wheel head; s of simulated time.
+// The interface of a simulated visitor: the visible wheel, and a pointer. mm on the vertical plane through
+// the axis, x to the right, y up from the wheel head; s of simulated time.
 #pragma once
 
 #include "engine/math/math.h"
@@ -12,12 +12,12 @@ class WheelRig {
   public:
     virtual ~WheelRig() = default;
 
-    // One frame of the display, in which the pointer is there.
+    // Advances one frame of the display with the pointer at that position.
     virtual void frame(const dvec2& pointer_mm, bool pressed) = 0;
 
-    // What is seen of the clay.
+    // The visible dimensions of the clay.
     [[nodiscard]] virtual double height_mm() const = 0;
-    [[nodiscard]] virtual double floor_mm() const = 0;  // the height where nothing is hollow
+    [[nodiscard]] virtual double floor_mm() const = 0;  // the total height if the clay is solid
     [[nodiscard]] virtual double outer_mm(double y_mm) const = 0;
     [[nodiscard]] virtual double inner_mm(double y_mm) const = 0;  // 0: solid
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# A visitor at the kiosk as a museum starts it: full screen in the compositor cage, through Xwayland, as a user who is not
-# root, by a finger on a touch screen. cage.sh SCRIPT ONGGI PROGRAMS FOLDER [LANGUAGE]: SCRIPT is a visitor's, as visit.sh.
-# cage's screen is a window of the display of a desk that has a touch screen (1024x768: what wlroots opens there); a touch
-# goes through that server, cage and Xwayland to the kiosk. TURNED: it hangs on its side, and the picture is turned by a
-# quarter. When the kiosk is asked to end, the compositor ends with it.
-# 77: there is no cage, or no Xwayland.
+# A visitor at the kiosk as in a museum: full screen in the compositor cage, through Xwayland, as a user who
+# is not root, by a finger on a touch screen. cage.sh SCRIPT ONGGI PROGRAMS FOLDER [LANGUAGE]: SCRIPT is a
+# visitor's script, such as visit.sh. cage's screen is a window on a display with a touch screen (1024x768,
+# the default of wlroots); a touch passes through that server, cage and Xwayland to the kiosk. TURNED: the
+# panel is mounted on its side, and the picture is turned by a quarter. When the kiosk ends, the compositor
+# ends too. Exit code 77: no cage or no Xwayland.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 for program in cage Xwayland setpriv; do
@@ -20,7 +20,7 @@ if [ -n "${TURNED:-}" ]; then
 fi
 mkdir -p "$4"
 results=$(realpath "$4")
-# Where any user may read, and the compositor's may write.
+# A folder that any user can read and the compositor's user can write.
 folder=$(mktemp -d)
 server=
 trap 'kill $server 2>/dev/null || true; rm -rf "$folder"' EXIT
@@ -35,7 +35,7 @@ if [ "$(id -u)" -eq 0 ]; then  # cage refuses
     chown -R nobody "$folder"
     as_visitor=(setpriv --reuid=nobody --regid=nogroup --clear-groups)
 fi
-# As in waiting.sh: a visitor, and a real panel, are not slower where the machine is busy.
+# As in waiting.sh: visitor and panel are not slower on a busy machine.
 renice -n -10 -p "$$" >/dev/null 2>&1 || true
 status=0
 "${as_visitor[@]}" env HOME="$folder" XDG_RUNTIME_DIR="$folder/run" ONGGI_ASSETS="$folder/assets" \
@@ -45,7 +45,7 @@ status=0
     >"$folder/cage.log" 2>&1 || status=$?
 rm -rf "$results"
 cp -r "$folder/visit" "$results"
-# Of a program that a signal ended cage says nothing; of others it gives the exit code on.
+# cage passes on the program's exit code, but does not report a signal.
 [ "$status" -eq 0 ] && grep '^kept by touch ' "$folder/cage.log" && exit
 echo "cage ended with $status:"
 cat "$folder/cage.log"

@@ -1,7 +1,6 @@
-// Says where on the screen a visitor sees places of the wheel: clay_places WIDTH HEIGHT [low] [CLAY_MM] reads
-// a place a line, radius (negative: left of the axis) and height in mm on the upright plane through the axis,
-// and writes its pixel. For scripts, which have no eyes: by the kiosk's own camera at rest, with clay so high
-// on the wheel, else up to 144 mm.
+// Converts positions on the wheel to pixels: clay_places WIDTH HEIGHT [low] [CLAY_MM] reads a place a line,
+// radius (negative: left of the axis) and height in mm on the upright plane through the axis, and writes its
+// pixel. For scripts. Uses the kiosk's camera at rest, for clay of the given height, or up to 144 mm.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -42,7 +41,7 @@ int main(int argc, char** argv) {
     state.screen = kiosk::Screen::kThrow;
     state.comfort.reach = argc > 3 && std::string_view(argv[3]) == "low";
     constexpr double kLumpMm = 50.0;
-    const double clay_mm = std::atof(argv[argc - 1]);  // of words: 0
+    const double clay_mm = std::atof(argv[argc - 1]);  // 0 if not a number
     app::KioskCamera camera;
     const app::CameraRequest request =
         camera.request(state, true, argc > 3 && clay_mm > 0.0 ? clay_mm : kLumpMm, sight);

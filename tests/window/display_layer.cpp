@@ -1,7 +1,7 @@
-// A display for drivers that have none: a Vulkan layer over any of them that says when an image is on the
-// screen (VK_KHR_present_id, VK_KHR_present_wait), which no software driver does. An image is shown at the
-// first refresh after it was presented, ONGGI_DISPLAY_HZ times a second; with ONGGI_DISPLAY_IS_OFF set,
-// never. One device and one thread that presents. What it hands on, the driver below does as always.
+// A simulated display for drivers without one: a Vulkan layer that reports when an image is on the screen
+// (VK_KHR_present_id, VK_KHR_present_wait), which no software driver does. An image is shown at the first
+// refresh after it was presented, ONGGI_DISPLAY_HZ times a second; with ONGGI_DISPLAY_IS_OFF set, never. One
+// device and one thread that presents. All other calls go to the driver unchanged.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -24,7 +24,7 @@ constexpr VkExtensionProperties kOwn[] = {
     {VK_KHR_PRESENT_ID_EXTENSION_NAME, VK_KHR_PRESENT_ID_SPEC_VERSION},
     {VK_KHR_PRESENT_WAIT_EXTENSION_NAME, VK_KHR_PRESENT_WAIT_SPEC_VERSION}};
 
-// Of whoever is below.
+// Functions of the next layer or driver.
 PFN_vkGetInstanceProcAddr instance_proc = nullptr;
 PFN_vkCreateDevice create_device_below = nullptr;
 PFN_vkEnumerateDeviceExtensionProperties enumerate_below = nullptr;
@@ -51,7 +51,7 @@ bool is_off() {
     return std::getenv("ONGGI_DISPLAY_IS_OFF") != nullptr;
 }
 
-// The first refresh from now on that is not another image's.
+// The next refresh that no other image uses.
 Clock::time_point refresh_after(Clock::time_point taken) {
     const auto refresh_of = [](Clock::time_point at) {
         return std::ceil(std::chrono::duration<double>(at.time_since_epoch()).count() / period_s() - 1e-6);
@@ -90,7 +90,7 @@ VKAPI_ATTR VkResult VKAPI_CALL create_instance(const VkInstanceCreateInfo* info,
         reinterpret_cast<PFN_vkCreateInstance>(instance_proc(VK_NULL_HANDLE, "vkCreateInstance"));
     const VkResult result = create(info, memory, instance);
     if (result != VK_SUCCESS) return result;
-    // Asked for now: later the loader, where it is what is below, would give the uppermost layer's.
+    // Queried now: later the loader would return the uppermost layer's function.
     const auto below = [&](const char* name) { return instance_proc(*instance, name); };
     create_device_below = reinterpret_cast<PFN_vkCreateDevice>(below("vkCreateDevice"));
     enumerate_below = reinterpret_cast<PFN_vkEnumerateDeviceExtensionProperties>(
@@ -105,7 +105,8 @@ VKAPI_ATTR VkResult VKAPI_CALL create_device(VkPhysicalDevice physical, const Vk
     auto* link = link_of<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
     device_proc = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
-    // The driver below would refuse what it does not know; who is above reads on when it is done.
+    // The driver would refuse unknown features, so they are cleared for the call and restored afterwards for
+    // the layers above.
     set_own_features(info->pNext, VK_FALSE);
     std::vector<const char*> extensions;
     for (std::uint32_t k = 0; k < info->enabledExtensionCount; ++k) {
@@ -157,7 +158,7 @@ VKAPI_ATTR VkResult VKAPI_CALL queue_present(VkQueue queue, const VkPresentInfoK
         for (std::uint32_t k = 0; k < ids->swapchainCount; ++k) {
             Image& last = last_of[info->pSwapchains[k]];
             last.id = ids->pPresentIds[k];
-            if (is_off()) continue;  // it is thrown away
+            if (is_off()) continue;  // the image is dropped
             last.shown = refresh_after(last.shown);
             // A queue of two is full.
             std::this_thread::sleep_until(last.shown - std::chrono::duration<double>(2.0 * period_s()));

@@ -1,6 +1,5 @@
-// Frames by a display's own beat, where the driver says when an image is on the screen: display_layer.cpp is
-// a display whose rate is another than that of the program's own clock, and that can be off. Under the
-// validation layer. Runs under with_display.sh.
+// Frames paced by the display's refresh: display_layer.cpp simulates a display with another rate than the
+// program's own clock, and one that is off. Under the validation layer. Runs under with_display.sh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,13 +36,13 @@ class ADisplay : public testing::Test {
         ASSERT_TRUE(view) << view.error().message;
         view_ = std::move(*view);
         ASSERT_EQ(view_->frame_rate_hz(), 60.0) << "what there is here tells no rate";
-        draw(60);  // what is compiled at first use
+        draw(60);  // compiles what is compiled at first use
     }
-    // So many frames, one by one as the kiosk draws them.
+    // The measurements over a number of frames drawn like the kiosk's.
     struct Drawn {
-        double on_beat = 0.0;      // the fraction of frames for which the display said so
-        int waits_in_vain = 0;     // of a tenth of a second
-        double off_refresh = 0.0;  // how far from a refresh frames begin, in periods; the median
+        double on_beat = 0.0;      // fraction of frames paced by the display
+        int waits_in_vain = 0;     // waits of a tenth of a second that timed out
+        double off_refresh = 0.0;  // median distance of frame starts from a refresh, in periods
     };
     Drawn draw(int frames, int display_hz = 60) {
         std::vector<double> off;
@@ -69,9 +68,9 @@ class ADisplay : public testing::Test {
         drawn.off_refresh = *middle;
         return drawn;
     }
-    // Repeats the measurement for a while, because other processes make frames late. A pacer that follows
-    // another clock never passes: the clock of 60 Hz is a quarter of a period off each of the rates here. A
-    // late frame takes two periods.
+    // Repeats the measurement for a while, because other processes make frames late. A pacer with its own
+    // clock of 60 Hz never passes: it is a quarter of a period off each of the rates here. A late frame takes
+    // two periods.
     void expect_followed(int display_hz) {
         Drawn drawn;
         EXPECT_TRUE(test::comes_true([&] {
@@ -108,7 +107,7 @@ TEST_F(ADisplay, ThatIsOffHoldsUpNothingAndIsFollowedAgainWhenItIsOn) {
     EXPECT_GE(waits_in_vain, 1);
     EXPECT_LE(waits_in_vain, 1 + static_cast<int>(jobs::MonotonicClock::now_s() - began_s)) << "one a second";
     unsetenv("ONGGI_DISPLAY_IS_OFF");
-    draw(240);  // it is asked again by then
+    draw(240);  // long enough for the next attempt
     expect_followed(40);
 }
 
@@ -118,11 +117,11 @@ TEST_F(ADisplay, ThatIsLostWhileItIsWaitedForIsMended) {
     view_->device_health().inject({.call = "vkWaitForPresentKHR", .result = VK_ERROR_DEVICE_LOST});
     draw(5);
     EXPECT_EQ(view_->mended(), 1);
-    draw(120);  // after the second in which it is not asked
+    draw(120);  // longer than the second without an attempt
     expect_followed(45);
 }
 
-TEST_F(ADisplay, IsAskedNothingByWhatKeepsFalling) {
+TEST_F(ADisplay, IsNotWaitedForByADeviceThatKeepsFailing) {
     ASSERT_TRUE(test::comes_true([&] { return draw(30).on_beat > 0.9; }));
     open(true);
     EXPECT_EQ(draw(30).on_beat, 0.0);

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# A visitor whose pot gives way under the hand, on clay that bears no more than clay does: failed_visit.sh ONGGI PROGRAMS
-# FOLDER spacemouse [LANGUAGE [WIDTHxHEIGHT]], as visitor.sh says them. Back to just before, where it stands; once more;
-# then new clay, and a pot of it that is kept. By a SpaceMouse, which puts a hand right into the clay: the skilled hands
-# behind a pointer know better.
+# A visitor whose pot collapses under the hand, on clay of realistic strength: failed_visit.sh ONGGI PROGRAMS
+# FOLDER spacemouse [LANGUAGE [WIDTHxHEIGHT]], with visitor.sh's arguments. Undoes the collapse; collapses
+# again; then takes new clay and keeps a pot. With a SpaceMouse, which puts a hand directly into the clay: the
+# hands behind a pointer avoid a collapse.
 set -euo pipefail
 FORGIVING=false
 source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
 
 gave_way() { [[ "$(title)" = "Onggi - failure"* ]]; }
-# The mouse beside the clay, where the SpaceMouse takes the hand over; and the hand low down, as far out as it goes.
+# Moves the mouse beside the clay, where the SpaceMouse takes over, and moves the hand down and outwards.
 come_low() {
     local x y
     read -r x y < <(echo "140 60" | "$programs/clay_places" "$width" "$height")
@@ -18,7 +18,7 @@ come_low() {
     hands push 0 -200 150
     hands push 0 15 50
 }
-# Presses the foot in to the middle, and stays there up and down until what stands on it is twisted off.
+# Presses the foot in to the middle, and moves up and down there until the pot above is twisted off.
 press_through() {
     come_low
     for _ in $(seq 60); do
@@ -29,17 +29,17 @@ press_through() {
         hands push 0 -6 12
     done
     on_screen failure
-    hands push 400 0 150  # or it would give way again
+    hands push 400 0 150  # or it would collapse again
 }
-# For so long it stands, or what gave way would be found out again.
+# Checks that the pot stands for this long; a collapse would be detected earlier.
 stands_still() {
-    within 30 "clay that stands" gave_way && fail "it gave way again, and nobody had touched it"
+    within 30 "clay that stands" gave_way && fail "it collapsed again without a touch"
     on_screen throw
 }
 
 begin_visit
 press choose free; on_screen throw
-hands hold wheel  # under a SpaceMouse it rests until that button is pressed, for as long as a thumb takes
+hands hold wheel  # a SpaceMouse's wheel starts with that button, pressed as long as by a thumb
 hands rest 0.2
 hands let-go wheel
 press_through

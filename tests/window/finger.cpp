@@ -1,9 +1,9 @@
-// A finger on a touch screen: finger SOCKET WIDTH HEIGHT [turned] is told what it does, a line each, in
-// words that xdotool has, too: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup
-// 1", "sleep S"; and "palm X Y", a hand that is laid on the screen there and stays. It answers each line
-// with a line "done" when it is done. SOCKET is where the X server's input driver for tests listens
-// (inputtest(4), which accepts one program and none after it): what it is told goes the way of a real
-// touch screen's events, through the server's touch handling to the program.
+// A finger on a touch screen: finger SOCKET WIDTH HEIGHT [turned] reads one command per line, in xdotool's
+// syntax: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup 1", "sleep S"; and
+// "palm X Y", a hand that is laid on the screen there and stays. It answers each command with a line "done".
+// SOCKET is where the X server's input driver for tests listens (inputtest(4), which accepts one program and
+// none after it): the touches pass through the server's touch handling to the program, like those of a real
+// touch screen.
 #include <X11/X.h>
 #include <X11/extensions/XI2.h>
 #include <fmt/format.h>
@@ -83,7 +83,7 @@ class Finger {
           height_(height),
           is_turned_(is_turned) {}
 
-    // Throws std::runtime_error, which says what of the line is no move.
+    // Throws std::runtime_error for an invalid command.
     void follow(const std::string& line) {
         std::istringstream words(line);
         for (std::string word; words >> word;) {
@@ -110,7 +110,7 @@ class Finger {
     static constexpr std::uint32_t kFinger = 1;
     static constexpr std::uint32_t kPalm = 2;
 
-    // On a panel that hangs on its side the picture is turned clockwise by a quarter, and its sensor is not.
+    // On a panel mounted on its side the picture is turned clockwise by a quarter, but its sensor is not.
     void touch(std::uint32_t finger, std::uint32_t type, double x, double y) {
         if (is_turned_)
             screen_.touch(finger, type, y, 1.0 - x);

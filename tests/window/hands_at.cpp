@@ -1,9 +1,9 @@
-// A device in somebody's hands: hands_at DEVICE PROGRAM [WORD ...] starts the program among devices that
-// umockdev describes, one of them DEVICE, gamepad or spacemouse, and is told what the hands do, a line each:
-// "push X Y SPEED", so far and so long that the tool goes X mm to the right (the SpaceMouse's outwards) and Y
-// mm up at that many mm/s; "hold BUTTON" and "let-go BUTTON", a or trigger of a gamepad, wheel of a
-// SpaceMouse; "rest S". It answers each with a line "done" when it is done. Ends with the program, and with
-// its exit code. Runs under umockdev-wrapper.
+// Simulates hands on a device: hands_at DEVICE PROGRAM [WORD ...] starts the program with devices described
+// by umockdev, one of them DEVICE (gamepad or spacemouse), and reads one command per line: "push X Y SPEED"
+// deflects the device so that the tool moves X mm to the right (the SpaceMouse's outwards) and Y mm up at
+// that many mm/s; "hold BUTTON" and "let-go BUTTON", a or trigger of a gamepad, wheel of a SpaceMouse; "rest
+// S". It answers each command with a line "done". Ends with the program's exit code. Runs under
+// umockdev-wrapper.
 #include <fmt/format.h>
 #include <linux/input.h>
 #include <poll.h>
@@ -33,7 +33,7 @@ void rest(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-// A person who knows how the kiosk answers the device.
+// A person who knows how the kiosk responds to the device.
 class Hands {
   public:
     virtual ~Hands() = default;
@@ -48,9 +48,9 @@ class Hands {
     virtual void hold(const std::string& button, bool held) = 0;
 
   protected:
-    // So that the tool goes there at that speed; no speed: let go.
+    // Deflects the device so that the tool moves at that speed; speed 0: release.
     virtual void deflect(const dvec2& direction, double speed_mm_s) = 0;
-    // An event device tells changes alone.
+    // An event device reports changes only.
     virtual void stay_deflected(const dvec2& direction, double speed_mm_s, double seconds) {
         deflect(direction, speed_mm_s);
         rest(seconds);
@@ -61,7 +61,7 @@ class Hands {
 class GamepadHands final : public Hands {
   public:
     GamepadHands() {
-        // It is there on every machine, and GLFW looks at it for what comes later.
+        // This folder exists on every machine, and GLFW watches it for new devices.
         std::filesystem::create_directories(std::filesystem::path(umockdev_testbed_get_root_dir(testbed_)) /
                                             "dev" / "input");
         pad_ = std::make_unique<testing::MockGamepad>(
@@ -110,7 +110,7 @@ class SpaceMouseHands final : public Hands {
         bus_.at(testing::kSpaceMouse)
             .report(fmt::format("01 {} 00 00 {} 00 00 00 00 00 00", axis(speed.x), axis(-speed.y)));
     }
-    // It says so again and again, or it counts as silent.
+    // It repeats its report, or it would count as silent.
     void stay_deflected(const dvec2& direction, double speed_mm_s, double seconds) override {
         constexpr double kReportS = 0.008;
         const auto begun = std::chrono::steady_clock::now();

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the scripts of this folder do about a program that hangs: hangs.sh ONGGI FOLDER. A real kiosk is held still, goes on
-# without doing what is waited for, and dies; each is found out, and said as what it is.
+# Tests how the scripts of this folder detect a program that hangs: hangs.sh ONGGI FOLDER. A real kiosk is
+# stopped, runs without doing what is awaited, and dies; each must be detected and reported correctly.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
@@ -18,7 +18,7 @@ kiosk=$!
 wait_for "window" xdotool search --name '^Onggi - attract$'
 pause 5
 
-# finds_out WORDS COMMAND...: the command fails the script and says so in these words.
+# finds_out WORDS COMMAND...: the command must fail the script with these words.
 finds_out() {
     local words=$1 status=0
     shift

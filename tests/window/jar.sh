@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
-# A visitor at the window who makes a moon jar, from attract to the shelf: two bowls, joined; the seam; decorated, glazed,
-# kept. jar.sh ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]], as visitor.sh says them.
+# A visitor at the window who makes a moon jar, from attract to the shelf: two bowls, joined; the seam;
+# decorated, glazed, kept. jar.sh ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]], with visitor.sh's
+# arguments.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
 
-# As the layout calls them: with one switch there are more targets on the ledge.
+# The layout's names: with one switch there are more targets on the ledge.
 scan=
 [ "$hand" = switch ] && scan=-scan
 is_a_lump() { [ "$(clay_mm)" -le 55 ]; }
 is_a_jar() { [ "$(clay_mm)" -ge 120 ]; }
 
-# Along the dots of half a museum's jar, out as it goes up; keys and one switch draw up what the wheel's hands have shown.
+# Follows the dots of half a museum's jar, outwards and up; keys and one switch pull up what the demonstrating
+# hands have shown.
 draw_bowl() { stroke 3 "34 2" "57 21" "74 43" "83 69" "86 90" "87 98"; }
 throw_a_bowl() {
     case $hand in
@@ -27,7 +29,7 @@ throw_a_bowl() {
 
 begin_visit
 press choose shelf-next; on_screen choose
-# It is the fourth museum's pot of the shelf, whose next part begins with the first that was not seen.
+# The jar is the fourth museum's pot on the shelf, whose next page begins with the first unseen pot.
 seen=$(grep -c '^choose target ' targets)
 press choose-next target "$(awk '$1 == "choose-next" && $2 == "target" { print $3 }' targets | sed -n "$((4 - seen))p")"
 on_screen jar-start
@@ -38,10 +40,10 @@ first_mm=$(clay_mm)
 press "$throwing" done
 wait_for "new clay" is_a_lump
 on_screen throw  # the first bowl beside the wheel
-pause 70         # it has been looked at
+pause 70         # time to look at it
 throw_a_bowl
 on_screen throw
-clay_top=$((first_mm + $(clay_mm)))  # the camera steps back for both, and stays there
+clay_top=$((first_mm + $(clay_mm)))  # the camera moves back for both, and stays there
 press "$throwing" done; on_screen join
 press jar-join$scan hand-right; on_screen join
 press jar-join$scan join-bowls

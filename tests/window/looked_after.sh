@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the house's monitoring sees of a wheel at work, and what a crash in the middle of a visit leaves behind:
-# looked_after.sh ONGGI PROGRAMS FOLDER. The wheel is one that has a supervisor, as a museum's.
+# The status for a museum's monitoring during a visit, and after a crash in the middle of one: looked_after.sh
+# ONGGI PROGRAMS FOLDER. The kiosk has a supervisor, as in a museum.
 set -euo pipefail
 
 open_supervised() {
@@ -12,7 +12,7 @@ open_supervised() {
 OPENS=open_supervised
 source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
 
-# says PATTERN...: `onggi status --json` has a line for each, and the exit code EXPECTED.
+# says PATTERN...: `onggi status --json` must have a line for each pattern, and the exit code EXPECTED.
 says() {
     local status=0 pattern
     "$onggi" status --json --config kiosk.toml >status.json || status=$?
@@ -33,7 +33,7 @@ press_it
 open_it
 pause 20  # the journal is synced once a second
 
-# The program dies on the spot, as of its own fault.
+# The program crashes.
 child=$(pgrep --parent "$kiosk" --exact onggi)
 kill -SEGV "$child"
 status=0
@@ -43,17 +43,17 @@ logged '^onggi: crash: SIGSEGV from process [0-9]+ in thread onggi of onggi [0-9
 [ "$(grep -cE '^/.*\(.*\) ?\[0x[0-9a-f]+\]$' kiosk.log)" -ge 5 ] || fail "expected a backtrace"
 logged '^onggi: crash: the session that led there: /.*/gallery/state/visit-[12]\.onggi\.part$'
 logged '^onggi: the kiosk ended with exit code 1$'
-EXPECTED=1 says '"state": "fell"' '"it ended with an error, or died"'
+EXPECTED=1 says '"state": "fell"' '"it ended with an error or crashed"'
 grep -q '^onggi_up 0$' metrics/onggi.prom || fail "expected metrics that say it is down"
-logged '^onggi: crash: kept as gallery/faults/crash-1\.onggi, which onggi replay works out again$'
+logged '^onggi: crash: session kept as gallery/faults/crash-1\.onggi, for onggi replay$'
 "$onggi" replay gallery/faults/crash-1.onggi --validate || fail "expected the session of the crash to replay"
 
-# It comes again, and tells of it.
+# It restarts and reports the crash.
 open_kiosk
 wait_for "window" xdotool search --name '^Onggi'
 on_screen attract
 EXPECTED=0 says '"falls": 1' '"starts": 2' 'faults/crash-1.onggi'
-logged 'interrupted visit: .* wait to be picked up'
+logged 'interrupted visit: .* can be resumed'
 end_kiosk
 wait "$kiosk" || fail "the kiosk ended with exit code $?"
 EXPECTED=1 says '"state": "ended"' '"it was ended"'

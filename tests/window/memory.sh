@@ -1,8 +1,8 @@
-# Whether a program holds more memory after each turn of the same things. Sourced, never run; whoever calls has put the
-# process into `kiosk` and its words into kiosk.log, and has fail() of waiting.sh.
+# Checks whether a program's memory grows with each repetition of the same actions. Sourced, never run; the
+# caller sets `kiosk` to the process, writes its output to kiosk.log, and has fail() of waiting.sh.
 
-# What the program has allocated itself, in kB; pages of files are not in it, so that fonts and drivers do not decide.
-# The least of a second: a thread may be at work that gives back what it takes.
+# The program's anonymous memory, kB, without file pages, so that fonts and drivers do not count. The minimum
+# over a second, because a thread may hold memory temporarily.
 own_memory_kb() {
     for _ in 1 2 3 4 5; do
         awk '$1 == "Anonymous:" { print $2 }' "/proc/$kiosk/smaps_rollup"
@@ -10,9 +10,9 @@ own_memory_kb() {
     done | sort -n | head -1
 }
 
-# holds_no_more TURN...: does it until the memory after four turns in a row is the same, but for some pages. At first it
-# rises and falls: caches fill, and the quality of the picture changes. A leak goes on, and what is given back just then
-# cannot hide it for long.
+# holds_no_more TURN...: repeats TURN until the memory is the same after four turns in a row, apart from some
+# pages. At first it rises and falls: caches fill, and the picture's quality changes. A leak keeps growing,
+# and simultaneous frees cannot hide it for long.
 holds_no_more() {
     local most_kb=600 turns=20 kb=() spread_kb
     for _ in $(seq "$turns"); do

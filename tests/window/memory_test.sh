@@ -11,12 +11,12 @@ cd "$1"
 kiosk=
 trap 'kill $kiosk 2>/dev/null || true' EXIT
 
-# keeps BYTES: a program that keeps so many more each tenth of a second.
+# keeps BYTES: runs a program that allocates that many more bytes each tenth of a second.
 keeps() {
     local kept=()
     while sleep 0.1; do kept+=("$(printf "%$1s" '')"); done
 }
-# is_refused BYTES: whether that program is refused.
+# is_refused BYTES: whether the check refuses that program.
 is_refused() {
     local status=0
     keeps "$1" &

@@ -1,6 +1,6 @@
-# A kept pot goes home by phone: whoever visits points one at the screen, and puts the pot on the wall of the day. Sourced by
-# visitor.sh, never run. A server of the kiosk's own listens here, at a port that the system gives it; what it needs besides
-# is zbarimg, which reads the code off the screen, and curl.
+# Takes a kept pot home by phone and puts it on the wall of the day. Sourced by visitor.sh, never run. The
+# kiosk's own server listens here, at a port chosen by the system. Also needs zbarimg, which reads the code
+# from the screen, and curl.
 mkdir -p outbox
 "$onggi" share --outbox outbox --listen 127.0.0.1 --port 0 >share.log 2>&1 &
 phone_server=$!
@@ -20,7 +20,7 @@ address=
 reads_the_code() {
     address=$(zbarimg -q --raw xwd:Xvfb_screen0 2>/dev/null | grep -m 1 '^http') && [ -n "$address" ]
 }
-# The code that the screen shows leads to the page, in the visitor's language, and to the gallery's own files.
+# The code on the screen leads to the page, in the visitor's language, and to the gallery's files.
 take_it_home() {
     wait_for "a code that a phone can read" reads_the_code
     address=${address%/}
@@ -35,7 +35,7 @@ take_it_home() {
     done
     printf 'taken home: %s bytes of page, %s of pot.glb\n' "$(wc -c <page.html)" "$(wc -c <"$pot/pot.glb")"
 }
-# Up, down again, and up: as who changes their mind twice.
+# Puts the pot up, takes it down, and puts it up again.
 hangs() { grep -qs "\"$(basename "$(dirname "$pot")")/$(basename "$pot")\"" gallery/state/wall.json; }
 hangs_not() { ! hangs; }
 hang_it_on_the_wall() {
@@ -44,8 +44,8 @@ hang_it_on_the_wall() {
     press keep-wall on-wall; wait_for "the pot on the wall again" hangs
     on_screen keep
 }
-# A film that a busy machine has not made in time comes to the page later. Here others are always at work, who would leave
-# nothing to it; so that its makers, now that the visit is over, no longer wait until nobody wants the processor.
+# A late film is added to the page afterwards. A busy test machine leaves no time to a process of idle
+# priority, so the film process is raised now that the visit is over.
 has_a_film() { curl -sSf --max-time 20 "$address/" | grep -q 'href="film.webp"'; }
 look_at_the_film() {
     local maker
@@ -56,7 +56,7 @@ look_at_the_film() {
     curl -sSf --max-time 20 "$address/film.webp" -o film.webp
     [ "$(head -c 34 film.webp | tail -c 4)" = ANIM ] || fail "expected a film that moves, found $(file -b film.webp)"
 }
-# Its maker sees it there first: the boards are darker than the room, and nothing of the wheel is there.
+# The wall is shown to its maker first: the boards are darker than the room, and the wheel is not visible.
 look_at_the_wall() {
     pause 10
     on_screen attract

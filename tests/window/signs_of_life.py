@@ -1,4 +1,4 @@
-"""A service manager's ear: signs_of_life.py FILE writes a byte into FILE for each "WATCHDOG=1" that it is told (sd_notify(3)).
+"""A service manager's socket: signs_of_life.py FILE writes a byte into FILE for each "WATCHDOG=1" that it gets (sd_notify(3)).
 
 Prints the name of its socket, which the kernel picks, as NOTIFY_SOCKET takes it. Ends with the process that started it.
 """

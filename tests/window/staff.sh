@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The staff at a locked kiosk, with real X events: staff.sh ONGGI ASK_TO_CLOSE FOLDER. First everything a visitor might
-# try to get out; then the corner, the PIN, the panel, its tests, a pot deleted, a code withdrawn, a restart, the panel left alone; at
-# last a window that is not locked, which closes like any. It brings a display of its own and leaves pictures in FOLDER.
+# The staff at a locked kiosk, with real X events: staff.sh ONGGI ASK_TO_CLOSE FOLDER. First everything a
+# visitor might try to leave the kiosk; then the corner, the PIN, the panel, its tests, a pot deleted, a code
+# withdrawn, a restart, the panel left alone; finally an unlocked window, which closes like any other. It
+# starts its own display and leaves pictures in FOLDER.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
@@ -51,13 +52,13 @@ click() {
     xdotool mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1
     pause 1
 }
-# hold_corner COMMAND...: for as long as the command takes.
+# hold_corner COMMAND...: holds the corner while the command runs.
 hold_corner() {
     xdotool mousemove 30 30 sleep 0.1 mousedown 1
     "$@"
     xdotool mouseup 1
 }
-# The keypad's places: three columns 136 apart from 504, four rows 100 apart from 218.
+# The keypad's positions: three columns 136 apart from 504, four rows 100 apart from 218.
 digit() {
     local place=$(($1 == 0 ? 10 : $1 - 1))
     click $((504 + place % 3 * 136)) $((218 + place / 3 * 100))
@@ -69,13 +70,13 @@ ends_with() {
     [ "$status" -eq "$1" ] || fail "expected exit code $1, found $status"
 }
 window() { xdotool search --name '^Onggi' | head -1; }
-# What a window manager sends for the window's cross and for Alt+F4.
+# Sends the close request of a window manager, as for the window's cross and Alt+F4.
 ask_to_close() { "$ask" "$(window)"; }
 
 # A pot to delete.
 mkdir -p gallery/2026-01-02/pot-001 gallery/2026-01-02/pot-002
 for pot in 1 2; do echo clay >"gallery/2026-01-02/pot-00$pot/pot.glb"; done
-# The first of them on phones, as the outbox keeps it.
+# The first pot is shared, in the outbox's form.
 mkdir -p outbox/7777ZZZZ
 now=$(date +%s)
 printf 'made %d\nexpires %d\nname 2026-01-02/pot-001\n' "$now" $((now + 36000)) >outbox/7777ZZZZ/.kept
@@ -84,7 +85,7 @@ settings true
 start
 wait_for "window" xdotool search --name '^Onggi'
 on_screen attract
-# Nothing of this gets out.
+# None of these may end the kiosk.
 for key in Escape alt+F4 ctrl+q ctrl+c ctrl+w q F11; do xdotool key "$key" sleep 0.1; done
 ask_to_close
 kill -INT "$kiosk"
@@ -93,7 +94,7 @@ pause 10
 kill -0 "$kiosk" || fail "a locked kiosk was left by a visitor"
 wait_for "a screen" xdotool search --name '^Onggi - (attract|choose)$'
 
-# A corner that is not held for five seconds is none; then the keypad, and three wrong PINs.
+# Holding the corner for less than five seconds has no effect; then the keypad, and three wrong PINs.
 hold_corner sleep 3
 pause 5
 titled '.*pin' && fail "the keypad came too early"
@@ -122,23 +123,23 @@ action 3; pause 5
 wait_for "the volume kept" grep -q 'volume = 4' gallery/statistics/staff.toml
 action 4; pause 5
 wait_for "the language kept" grep -q 'first = "ar"' gallery/statistics/staff.toml
-action 4; pause 5  # Korean, and round: in Arabic the corner would be the other one
+action 4; pause 5  # Korean, and back: in Arabic the other corner would be used
 action 4; pause 5
 wait_for "the first language again" grep -q 'first = "en"' gallery/statistics/staff.toml
 # Delete the second pot, which is the first in the list; once with no, once with yes.
 click 440 104; on_screen '.* - staff' gallery
 click 852 168; on_screen '.* - staff' asks
 click 480 414; pause 5
-[ -d gallery/2026-01-02/pot-002 ] || fail "a pot was deleted that nobody said yes to"
+[ -d gallery/2026-01-02/pot-002 ] || fail "a pot was deleted without confirmation"
 click 852 168; pause 5
 click 800 414
 gone() { [ ! -e gallery/2026-01-02/pot-002 ]; }
 wait_for "the pot gone" gone
 [ -d gallery/2026-01-02/pot-001 ] || fail "the other pot is gone as well"
-# Withdraw the code of the pot that is left, likewise: it stays on the shelf.
+# Withdraw the code of the remaining pot likewise: the pot stays on the shelf.
 click 704 168; on_screen '.* - staff' asks-withdraw
 click 480 414; pause 5
-[ -d outbox/7777ZZZZ ] || fail "a code was withdrawn that nobody said yes to"
+[ -d outbox/7777ZZZZ ] || fail "a code was withdrawn without confirmation"
 click 704 168; pause 5
 click 800 414
 withdrawn() { [ ! -e outbox/7777ZZZZ ]; }
@@ -154,14 +155,14 @@ wait_for "window" xdotool search --name '^Onggi - attract$'
 kill -0 "$kiosk" || fail "the restart is another process"
 pause 10
 
-# The panel left alone locks itself.
+# An idle panel locks itself.
 hold_corner pause 58
 on_screen '.* - pin' pin-at-last
 pin 2580
 on_screen '.* - staff' health-at-last
 is_locked() { ! titled '.* - staff'; }
 wait_for "panel that closes by itself" is_locked
-# The system itself still ends it.
+# The system can still end it.
 kill -TERM "$kiosk"
 ends_with 0
 
@@ -178,4 +179,4 @@ for way in cross escape interrupt; do
     esac
     ends_with 0
 done
-printf 'the staff had its way, and nobody else\n'
+printf 'the staff had access, and no visitor\n'

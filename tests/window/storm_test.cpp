@@ -1,6 +1,6 @@
-// A real window through bad weather: sizes that change faster than frames, a window that is taken off the
-// screen and put back, a surface and a device that are lost. The validation layer, with synchronization
-// validation, hears no complaint. Runs under with_display.sh, which brings a display; xdotool is the weather.
+// A real window under stress: sizes that change faster than frames, a window that is unmapped and mapped
+// again, a lost surface and a lost device. The validation layer, with synchronization validation, must report
+// nothing. Runs under with_display.sh, which provides a display; xdotool causes the changes.
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -26,13 +26,13 @@
 #include "tests/support/two_drivers.h"
 
 namespace {
-// Of a machine with two devices the better one, which says that it presents to the window and then does not
-// know how: NVIDIA's 580 on an X server that draws by software.
+// Simulates a machine with two devices, whose better one claims to present to the window and then fails:
+// NVIDIA's 580 on an X server with software rendering.
 bool first_asked_fails = false;
 VkPhysicalDevice first_asked = VK_NULL_HANDLE;
 }  // namespace
 
-// In the place of the loader's, for this program alone.
+// Replaces the loader's function in this program.
 extern "C" VkResult vkGetPhysicalDeviceSurfacePresentModesKHR(VkPhysicalDevice device, VkSurfaceKHR surface,
                                                               std::uint32_t* count, VkPresentModeKHR* modes) {
     if (first_asked == VK_NULL_HANDLE) first_asked = device;
@@ -62,10 +62,10 @@ class AWindow : public testing::Test {
         view_ = std::move(*view);
         draw(3);
     }
-    // Not waited for: the weather does not wait either.
+    // Starts xdotool without waiting for it.
     void weather(const std::string& words) {
         const std::string command = fmt::format("xdotool search --name '^{}$' {} 2>/dev/null", kTitle, words);
-        FILE* storm = ::popen(command.c_str(), "r");  // at its end when the command is
+        FILE* storm = ::popen(command.c_str(), "r");  // at end of file when the command has ended
         ASSERT_NE(storm, nullptr);
         storms_.push_back(storm);
     }
@@ -85,7 +85,7 @@ class AWindow : public testing::Test {
     void TearDown() override {
         if (view_) calm();
     }
-    // How many of so many frames were shown. Each may find any trouble, and none may end the picture.
+    // Draws `frames` frames; returns how many were shown. Any frame may fail, but drawing must continue.
     int draw(int frames) {
         int shown = 0;
         for (int frame = 0; frame < frames; ++frame) {
@@ -98,7 +98,7 @@ class AWindow : public testing::Test {
         }
         return shown;
     }
-    // As above, but of any program, and waited for.
+    // As above, for any command, and waits for it.
     static void set_screen(const std::string& words) {
         ASSERT_EQ(
             std::system(fmt::format("xrandr --fb 1280x720 --output screen {} >/dev/null", words).c_str()), 0);
@@ -117,7 +117,7 @@ class AWindow : public testing::Test {
         ASSERT_TRUE(becomes(500)) << gust;
         draw(3);
     }
-    // Until the picture is so wide, or a long time has gone by.
+    // Draws until the picture has that width, or a timeout.
     bool becomes(int width) {
         return test::comes_true([&] {
             draw(3);
@@ -150,11 +150,10 @@ TEST_F(AWindow, TakesAThousandSizes) {
     EXPECT_EQ(view_->mended(), 0) << "a size is no trouble";
 }
 
-// Without the validation layer, which keeps something of every object there ever was.
+// Without the validation layer, which keeps a record of every object.
 TEST_F(AWindow, HoldsNoMoreAfterAThousandSizesThanAfterHalfOfThem) {
     open(false);
-    // The least after any of the later gusts of a half: what a driver's own allocator keeps varies more than
-    // a leak would be.
+    // The minimum over the later bursts of a half: the driver's allocator varies more than a leak would grow.
     const auto least_kb_of = [&](int half) {
         double least_kb = 0.0;
         for (int gust = 0; gust < 10; ++gust) {
@@ -167,9 +166,8 @@ TEST_F(AWindow, HoldsNoMoreAfterAThousandSizesThanAfterHalfOfThem) {
     double before_kb = least_kb_of(0);
     const long handles = test::open_handles();
     double after_kb = least_kb_of(1);
-    // That allocator grows by a step now and then, on a busy machine in the middle of this: what leaks grows
-    // by as much again.
-    constexpr double kMostKb = 32'000.0;  // 64 kB a size; an image that stays is a hundred times that
+    // That allocator grows in steps at times, possibly during this test; a leak keeps growing.
+    constexpr double kMostKb = 32'000.0;  // 64 kB a size; a leaked image is a hundred times that
     for (int half = 2; half < 4 && after_kb - before_kb > kMostKb; ++half)
         before_kb = std::exchange(after_kb, least_kb_of(half));
     fmt::print("{:.0f} kB after half of them, {:.0f} kB after all\n", before_kb, after_kb);
@@ -206,15 +204,15 @@ TEST_F(AWindow, ComesBackWithinTwoSecondsOfItsDeviceBeingLostAtAnyMoment) {
     long handles = 0;
     constexpr int kLosses = 10;
     for (int loss = 0; loss < kLosses; ++loss) {
-        const int frames = 60 + static_cast<int>(chance() % 30);  // fewer would be the same trouble again
+        const int frames = 60 + static_cast<int>(chance() % 30);  // fewer would count as the same failure
         if (loss % 2 == 1) weather(fmt::format("windowsize {} 400", 400 + 10 * loss));
         draw(frames);
         view_->device_health().inject({.call = kCalls[chance() % kCalls.size()],
                                        .result = VK_ERROR_DEVICE_LOST,
                                        .after = static_cast<int>(chance() % 3)});
-        // Memory is asked for when a size is another.
+        // A new size allocates memory.
         weather(fmt::format("windowsize {} 410", 405 + 10 * loss));
-        // The new size may come late. Only the frame that finds the loss, and mends it, is timed.
+        // The new size may come late. Only the frame that detects and repairs the loss is timed.
         std::clock_t start = 0;
         ASSERT_TRUE(test::comes_true([&] {
             start = std::clock();
@@ -225,7 +223,7 @@ TEST_F(AWindow, ComesBackWithinTwoSecondsOfItsDeviceBeingLostAtAnyMoment) {
         const double took_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         EXPECT_LT(took_s, 2.0) << "of processor time, under the validation layer";
         EXPECT_GT(draw(5), 0);
-        calm();  // the weather has handles too
+        calm();  // xdotool's pipes are handles too
         if (loss == 2) handles = test::open_handles();
     }
     EXPECT_LE(test::open_handles(), handles + 2);
@@ -247,7 +245,7 @@ TEST_F(AWindow, ComesBackAfterItWasTakenOffTheScreen) {
 TEST_F(AWindow, GoesOnAfterItsSurfaceIsOutOfDateOrLost) {
     view_->device_health().inject({.call = "vkAcquireNextImageKHR", .result = VK_ERROR_OUT_OF_DATE_KHR});
     draw(3);
-    EXPECT_EQ(view_->mended(), 0) << "a swapchain that is out of date is made anew, and nothing else";
+    EXPECT_EQ(view_->mended(), 0) << "only an out-of-date swapchain is recreated";
     for (const VkResult no_image : {VK_TIMEOUT, VK_NOT_READY}) {
         view_->device_health().inject({.call = "vkAcquireNextImageKHR", .result = no_image});
         EXPECT_EQ(draw(3), 2) << no_image;

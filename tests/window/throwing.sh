@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# How a visitor throws, with any hand: as the screen tells a stranger to, at a person's pace, and until the clay is what
-# it was to become, however busy the machine is. Sourced by visitor.sh, never run. clay_places knows where on the screen
-# places of the wheel are; a finger or mouse misses them by some pixels, the same ones every time.
+# How a visitor throws, with any device: following the screen's instructions, at a person's pace, until the
+# clay has the wanted shape, however busy the machine is. Sourced by visitor.sh, never run. clay_places
+# converts positions on the wheel to pixels; a finger or mouse misses them by some pixels, the same every
+# time.
 
 strokes=0
-clay_top=  # how high the clay stands, in mm, where the camera has stepped back for it
+clay_top=  # the clay's height in mm, if the camera has moved back for it
 
-# What is seen of the clay, by the window's title: how many steps of the lesson are done, how high it stands.
+# The state of the clay from the window's title: lesson steps done, height.
 steps_done() { title | sed -nE 's/^Onggi - throw - ([0-3]) of 3, .*/\1/p'; }
 clay_mm() {
     wait_for "sight of the clay" has_done 0
@@ -16,9 +17,9 @@ clay_mm() {
 has_done() { [ "$(steps_done)" -ge "$1" ] 2>/dev/null; }
 stands() { [ "$(clay_mm)" -ge "$1" ] 2>/dev/null; }
 is_at_rest() { [[ "$(title)" != *", shown"* ]]; }
-# so_soon CONDITION...: the screen is a little later than the clay, and hands later than a finger.
+# so_soon CONDITION...: waits briefly, since the screen lags behind the clay, and hands behind a finger.
 so_soon() { within 15 "$*" "$@"; }
-# work_until WHAT CONDITION MOVE...: the move, again and again, until the clay is so.
+# work_until WHAT CONDITION MOVE...: repeats the move until the condition holds.
 work_until() {
     local what=$1 so=$2
     shift 2
@@ -30,8 +31,8 @@ work_until() {
     fail "expected $what after twelve tries, found '$(title)'"
 }
 
-# stroke SECONDS PLACE PLACE...: a finger lands at the first place, "RADIUS HEIGHT" in mm, goes on to the others, and
-# stays for a moment, so that the hands come after.
+# stroke SECONDS PLACE PLACE...: a finger lands at the first place, "RADIUS HEIGHT" in mm, moves on to the
+# others, and stays for a moment, so that the hands follow.
 stroke() {
     local seconds=$1 way
     shift
@@ -39,7 +40,7 @@ stroke() {
     # shellcheck disable=SC2086  # no word where nothing is low, or high
     way=$(printf '%s\n' "$@" | "$programs/clay_places" "$width" "$height" $reach $clay_top |
         awk -v seconds="$seconds" -v seed="$strokes" -v hand="$hand" -v short="$((width < height ? width : height))" '
-            function miss(   sum, i) {  # four pixels of 720, as many more or less as people differ
+            function miss(   sum, i) {  # four pixels of 720, varying between people
                 for (i = 0; i < 12; i++) sum += rand()
                 return (sum - 6) * 4 * short / 720
             }
@@ -66,20 +67,21 @@ stroke() {
     # shellcheck disable=SC2086  # its words are many
     point $way
 }
-# hands WORDS: what the hands at a device do, as hands_at says it, or finger; until they have done it.
+# hands WORDS: sends a command to hands_at or finger, and waits until it is done.
 hands() {
     local answer= piece=
     echo "$*" >&8
-    # A line may come in pieces.
+    # A line may arrive in pieces.
     until read -r -t 1 piece <&9; do
-        [ $? -gt 128 ] || break  # the hand has gone
+        [ $? -gt 128 ] || break  # the helper has ended
         answer+=$piece
         keeps_living "hand that does $*"
     done
     answer+=$piece
     [ "$answer" = "done" ] || fail "expected the $hand to $*, found '$answer'"
 }
-# pad_to RADIUS HEIGHT: the finger off the clay and out to its farthest, which nobody can miss, and from there to a place.
+# pad_to RADIUS HEIGHT: with a gamepad, moves off the clay to the farthest position, which is reliably known,
+# and from there to a place.
 pad_to() {
     hands push 600 0 160
     hands push 0 -600 160
@@ -90,7 +92,7 @@ keys() {
     local key
     for key in "$@"; do xdotool key "$key" sleep 0.12; done
 }
-# One switch: the wheel's own hands do the step that is next, and are watched until they rest.
+# One switch: lets the demonstrating hands do the next step, and waits until they rest.
 do_this_step() {
     at "$throwing" show-me
     take "$place"
@@ -98,7 +100,7 @@ do_this_step() {
     wait_for "hands that have done it" is_at_rest
 }
 
-# draw_along TOP LEDGE: what is held, up along the wall; LEDGE is what is seen then.
+# draw_along TOP LEDGE: moves the held tool up along the wall; LEDGE is the ledge shown then.
 draw_along() {
     local low=$(($1 * 3 / 10)) high=$(($1 * 8 / 10))
     case $hand in
@@ -108,7 +110,7 @@ draw_along() {
     esac
 }
 
-# The moves of the lesson. How high the clay stands everybody sees.
+# The moves of the lesson. The clay's height is visible to every visitor.
 press_in() {
     local low=$(($(clay_mm) * 3 / 10))
     case $hand in
@@ -129,7 +131,7 @@ open_the_middle() {
     top=$(clay_mm)
     case $hand in
     mouse | touch) stroke 2 "0 $((top + 1))" "0 $((top - 35))" ;;
-    keys)  # up the wall and over the rim; who is there already goes no farther
+    keys)  # up the wall and over the rim; stays there if it is there already
         keys Up Up Up Up Up Up Up Up Up Up Up Up Up Up
         keys Down Down Down
         pause 5
@@ -144,7 +146,7 @@ open_the_middle() {
         ;;
     esac
 }
-# No farther than the camera need not step back for.
+# No higher than the camera can show without moving back.
 draw_up() {
     local top to
     top=$(clay_mm)
@@ -156,7 +158,7 @@ draw_up() {
         if has_done 3; then
             at "$throwing" hand-up
             take "$place"
-            for _ in 1 2; do sleep 0.9; xdotool key space; done  # the ring stays where it is pressed again
+            for _ in 1 2; do sleep 0.9; xdotool key space; done  # the ring stays where it is pressed, so press again
         else
             do_this_step
         fi
@@ -170,7 +172,7 @@ draw_up() {
         ;;
     esac
 }
-# The lesson, whole.
+# The whole lesson.
 press_it() { work_until "clay that was pressed in" "has_done 1" press_in; }
 open_it() { work_until "clay that is open" "has_done 2" open_the_middle; }
 raise_it() {

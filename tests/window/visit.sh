@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# A visitor at the window, from attract to a kept pot: visit.sh ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]], as
-# visitor.sh says them. TOOLS: one switch takes up every tool, too. MEMORY: the memory that the kiosk holds is watched.
+# A visitor at the window, from attract to a kept pot: visit.sh ONGGI PROGRAMS FOLDER [HAND [LANGUAGE
+# [WIDTHxHEIGHT]]], with visitor.sh's arguments. TOOLS: with one switch, also uses every tool. MEMORY: checks
+# the kiosk's memory.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/visitor.sh"
 source "$here/memory.sh"
 
-# Another language, its own again, and all controls in the lower half: from the choice of pots and back to it.
+# Changes the language and back, and moves all controls into the lower half: from the choice of pots and back
+# to it.
 through_languages() {
     local own other=ko value=0
     own=$(case $language in ko) echo 0 ;; en) echo 1 ;; *) echo 2 ;; esac)  # as screen_targets numbers them
@@ -19,10 +21,10 @@ through_languages() {
     lay_out "$language" low
     press language comfort-done; on_screen choose
 }
-# The power goes while somebody throws, and comes back.
+# A power cut during throwing, and a restart.
 through_a_failure_of_power() {
     wait_for "journal of the visit" bash -c 'grep -qs . gallery/state/visit-*'
-    # It is on the disk once a second: what was done before the first of two more blocks is there.
+    # The journal is written once a second: after two more blocks everything before is on disk.
     for _ in 1 2; do
         local bytes
         bytes=$(cat gallery/state/visit-* | wc -c)
@@ -35,10 +37,10 @@ through_a_failure_of_power() {
     pick_it_up
 }
 
-# ledge NAME HELD: what the layout calls it while that is held; with one switch there are more targets on it.
+# ledge NAME HELD: the layout's name of the ledge with that tool; with one switch it has more targets.
 ledge() { echo "$1-$([ "$hand" = switch ] && echo scan-)$2"; }
-# take_tool FROM HELD NUMBER: the tray, and what lies there; FROM is the ledge that is seen while HELD is in the hand,
-# NUMBER as screen_targets counts.
+# take_tool FROM HELD NUMBER: opens the tray and takes a tool; FROM is the ledge shown while HELD is in the
+# hand, NUMBER as in screen_targets.
 take_tool() {
     local tools=("" ", rib" ", sponge" ", wire")
     press "$1" tools; wait_for "the tray" lies_there "${tools[$2]}, tools"
@@ -46,9 +48,9 @@ take_tool() {
     press "$(ledge tools "$2")" take-tool "$3"; wait_for "tool $3 in the hand" lies_there "${tools[$3]}"
     on_screen throw
 }
-# What is held and whether the tray is open, as the title says it behind the clay's height: ", rib, tools".
+# Whether the title shows this tool and tray state after the clay's height: ", rib, tools".
 lies_there() { [ "$(title | sed -E 's/.* mm//; s/ .[0-9]+.$//')" = "$1" ]; }
-# Rib, sponge and wire: the wall is faired and wiped, and a ring comes off the rim and back again, and off.
+# Rib, sponge and wire: fairs and wipes the wall, cuts a ring off the rim, undoes it, and cuts again.
 with_every_tool() {
     local top rib sponge wire
     top=$(clay_mm) rib=$(ledge held 1) sponge=$(ledge held 2) wire=$(ledge held 3)
@@ -59,7 +61,7 @@ with_every_tool() {
     draw_along "$top" "$sponge"
     on_screen throw
     take_tool "$sponge" 2 3
-    top=$(clay_mm)  # as rib and sponge have left it
+    top=$(clay_mm)  # after rib and sponge
     press "$wire" hand-down; press "$wire" hand-down
     on_screen throw
     press "$wire" cut
@@ -72,7 +74,7 @@ with_every_tool() {
 }
 
 is_a_lump() { [ "$(clay_mm)" -eq 50 ]; }
-# By mouse, from an untouched lump to the next: a touch, a look into the clay, another screen, new clay.
+# By mouse, from one untouched lump to the next: a touch, a view into the clay, another screen, new clay.
 to_new_clay() {
     press_it
     press throw-0 look-in; on_screen throw
@@ -96,11 +98,11 @@ keys) press choose target 1 ;;
 esac
 on_screen throw
 [ -z "${MEMORY:-}" ] || holds_no_more to_new_clay
-# Somebody leans on the panel's edge, and will till the end.
+# A palm rests on the panel's edge until the end.
 [ "$hand" = touch ] && point palm 3 $((height * 6 / 10)) sleep 4
 press_it
 on_screen throw
-if [ "$hand" = mouse ]; then  # all of it is taken back
+if [ "$hand" = mouse ]; then  # everything is undone
     press throw-0 undo
     wait_for "the lump as it was" is_a_lump
     on_screen throw

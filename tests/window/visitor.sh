@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# A visitor at the window, with any hand, in any language. Sourced, never run, with ONGGI PROGRAMS FOLDER [HAND
-# [LANGUAGE [WIDTHxHEIGHT]]] as the script's own words. It brings a display of its own, works in FOLDER and leaves a
-# picture of each screen there. PROGRAMS: the folder of screen_targets, which knows where the buttons are, and of the
-# others that throwing.sh names. HAND: mouse, touch, keys, switch (the space bar alone), gamepad or spacemouse (which
-# have no buttons for screens: there the mouse helps). If set before: FORGIVING: whether the clay bears more than clay
-# does; BACKEND: who draws; SHARES: the pot goes home by phone, too; CAGED: a compositor has opened a display already, where
-# the kiosk is full screen and ends when it is asked to; TOUCH_SCREEN: the socket of that display's touch screen;
-# OPENS, ENDS: functions that start the kiosk, putting its process into `kiosk`, and end it, in the place of those here.
+# A visitor at the window, with any device, in any language. Sourced, never run; the script's arguments are
+# ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]]. It starts its own display, works in FOLDER and
+# leaves a picture of each screen there. PROGRAMS: the folder of screen_targets, which prints the positions of
+# buttons, and of the programs that throwing.sh uses. HAND: mouse, touch, keys, switch (the space bar alone),
+# gamepad or spacemouse (which have no buttons for screens: the mouse presses those). Optional variables:
+# FORGIVING: whether the clay is stronger than real clay; BACKEND: the renderer's backend; SHARES: also takes
+# the pot home by phone; CAGED: a compositor has opened a display already, where the kiosk is full screen and
+# ends on request; TOUCH_SCREEN: the socket of that display's touch screen; OPENS, ENDS: functions that
+# replace those here, to start the kiosk (setting `kiosk` to its process) and to end it.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/throwing.sh"
@@ -17,11 +18,11 @@ language=${5:-en}
 size=${6:-1280x720}
 width=${size%x*}
 height=${size#*x}
-reach=  # low: all controls in the lower half
+reach=  # "low": all controls in the lower half
 rm -rf "$3"
 mkdir -p "$3"
 cd "$3"
-# lay_out LANGUAGE [low]: where the buttons are from now on.
+# lay_out LANGUAGE [low]: sets the layout of buttons from now on.
 lay_out() {
     reach=${2:-}
     "$programs/screen_targets" "$1" "$width" "$height" 1 "$reach" >targets
@@ -71,29 +72,30 @@ open_kiosk() {
         kiosk=$!
     fi
 }
-# Whoever else knows how to, and how it ends, names his own functions for it.
+# A script may replace both functions.
 [ -z "${OPENS:-}" ] || open_kiosk() { "$OPENS"; }
 end_kiosk() { "${ENDS:-$([ -n "${CAGED:-}" ] && echo ask_to_end || echo press_escape)}"; }
 press_escape() { xdotool key Escape; }
 ask_to_end() { kill -TERM "$kiosk"; }
 open_kiosk
-# A screen is there when the title says so, its picture some frames and a cross-fade of a quarter of a second later.
+# The title names a screen at once; its picture follows after some frames and a cross-fade of a quarter of a
+# second.
 on_screen() {
     wait_for "screen '$1'" xdotool search --name "^Onggi - $1( - [0-3] of 3, [0-9]+ mm(, (rib|sponge|wire))?(, tools)?| - [0-9]+ strokes| - [0-9]+ g)?( .[0-9]+.)?\$"
     pause 6
     shot=$((shot + 1))
-    # The root of Xwayland is empty.
+    # Xwayland's root window is empty.
     local seen=root
     [ -z "${CAGED:-}" ] || seen=$(xdotool search --name '^Onggi' | tail -1)
     command -v import >/dev/null && import -window "$seen" "$(printf '%02d' "$shot")-$1.png" || true
 }
 shot=0
-throwing=throw-0  # as the layout calls it: with one switch there are more targets on it
+throwing=throw-0  # the layout's name: with one switch there are more targets
 [ "$hand" = switch ] && throwing=throw-scan-0
 decorating=decorate-0
 [ "$hand" = switch ] && decorating=decorate-scan
 
-# Where a screen has a button, by the layout itself: at SCREEN BUTTON [VALUE]; sets x, y and place (in the ring).
+# at SCREEN BUTTON [VALUE]: finds a button in the layout; sets x, y and place (in the ring).
 at() {
     local value=${3:-}
     local line
@@ -102,14 +104,14 @@ at() {
     [ -n "$line" ] || fail "expected a button '$2' on '$1', found none"
     read -r place x y <<<"$line"
 }
-# point WORD...: moves of a mouse as xdotool says them, or of a finger on a real touch screen.
+# point WORD...: moves a mouse, in xdotool's syntax, or a finger on a real touch screen.
 point() {
     case $hand in
     touch) hands "$@" ;;
     *) xdotool "$@" ;;
     esac
 }
-# A mouse comes, hovers and clicks; a finger is there at once.
+# A mouse moves, hovers and clicks; a finger touches at once.
 click() {
     if [ "$hand" = touch ]; then
         point mousemove "$1" "$2" mousedown 1 sleep 0.08 mouseup 1
@@ -117,7 +119,7 @@ click() {
         point mousemove "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1 mouseup 1
     fi
 }
-# press SCREEN BUTTON [VALUE], with whatever hand the visitor has.
+# press SCREEN BUTTON [VALUE]: with the visitor's device.
 press() {
     at "$@"
     case $hand in
@@ -125,18 +127,19 @@ press() {
     *) click "$x" "$y" ;;
     esac
 }
-# Where the ring is, "[5]"; nothing before it is shown. The rest of the title changes by itself, with the clay.
+# The ring's target from the title, "[5]"; empty if no ring is shown. The rest of the title changes with the
+# clay.
 ring() { title | grep -oE '\[[0-9]+\]$' || true; }
 has_left() { [ "$(ring)" != "$1" ]; }
 is_elsewhere() { [[ "$(title)" != *"[$1]" ]]; }
 is_there_or_gone() { [[ "$(title)" = *"[$1]" ]] || ! has_come_to "$2"; }
-# take PLACE: walks the ring there, or waits for it, and takes what it is on; places count from 0.
+# take PLACE: moves the ring there, or waits for it, and presses; places count from 0.
 take() {
     local before after
     if [ "$hand" = keys ]; then
         for _ in $(seq 40); do
             xdotool search --name "^Onggi - .*\[$1\]\$" >/dev/null 2>&1 && break
-            # A frame may be slow: a second step before the first is shown would go past the place.
+            # A frame may be slow: a second step before the first is shown would overshoot.
             before=$(ring)
             xdotool key Tab
             within 50 "the ring's next step" has_left "$before" || true
@@ -147,21 +150,22 @@ take() {
         began=$(title | grep -oE '^Onggi - [a-z-]+' || true)
         began=${began#Onggi - }
         for _ in $(seq 5); do
-            # As it comes: of one that is about to go on, a busy machine would take the next.
+            # Press as soon as it arrives: if it is about to move on, a busy machine would press the next one.
             wait_for "the ring elsewhere than on target $1" is_elsewhere "$1"
             wait_for "the ring on target $1" is_there_or_gone "$1" "$began"
             has_come_to "$began" || return 0  # what was taken came late
             before=$(title)
             xdotool key space
             pause 3
-            # The ring stays a while on what was taken, or there is another screen; else it was quicker than the switch.
+            # The ring stays a while on the pressed target, or the screen changes; otherwise the ring moved
+            # before the press.
             after=$(title)
             [[ "$after" = *"[$1]" || "$(screen_of "$after")" != "$(screen_of "$before")" ]] && return
         done
         fail "expected the ring to stay on target $1, found '$after'"
     fi
 }
-# Of a title: "Onggi - throw, rib" of "Onggi - throw - 3 of 3, 56 mm, rib [4]".
+# The screen part of a title: "Onggi - throw, rib" from "Onggi - throw - 3 of 3, 56 mm, rib [4]".
 screen_of() { sed -E 's/ - [0-3] of 3, [0-9]+ mm//; s/ - [0-9]+ g//; s/ .[0-9]+.$//' <<<"$1"; }
 has_come_to() { [[ "$(title)" = "Onggi - $1"* ]]; }
 fills_the_screen() {
@@ -169,7 +173,7 @@ fills_the_screen() {
     geometry=$(xdotool search --name '^Onggi' getwindowgeometry --shell | grep -E '^(X|Y|WIDTH|HEIGHT)=' | tr '\n' ' ')
     [ "$geometry" = "X=0 Y=0 WIDTH=$width HEIGHT=$height " ] || fail "expected the whole screen, found $geometry"
 }
-# To the choice of pots, with the visitor's own hand.
+# To the choice of pots, with the visitor's device.
 begin_visit() {
     wait_for "window" xdotool search --name '^Onggi'
     [ -z "${CAGED:-}" ] || fills_the_screen
@@ -178,7 +182,7 @@ begin_visit() {
     mouse | touch) click $((width / 2)) $((height / 2)) ;;
     keys) xdotool key Tab ;;
     switch) xdotool key space ;;
-    *)  # a picture that comes late may not see a stick that was pushed for a moment
+    *)  # a late frame may miss a stick that was pushed for a moment
         for _ in $(seq 10); do
             hands push 20 0 20
             so_soon has_come_to choose && break
@@ -187,18 +191,18 @@ begin_visit() {
     esac
     on_screen choose
 }
-# As it was left with clay that is open, after the program ended in the middle of a visit.
+# Resumes a visit with opened clay after the program ended in the middle of it.
 pick_it_up() {
     wait_for "window" xdotool search --name '^Onggi'
     on_screen attract
-    wait_for "interrupted visit" grep -q 'interrupted visit: .* wait to be picked up' kiosk.log
+    wait_for "interrupted visit" grep -q 'interrupted visit: .* can be resumed' kiosk.log
     click $((width / 2)) $((height / 2))
     on_screen resume
     press resume resume-go; on_screen throw
     has_done 2 || fail "expected clay that is open, as it was left, found '$(title)'"
 }
 has_strokes() { [[ "$(title)" == *" - $1 strokes"* ]]; }
-# A band and a line of iron, with whatever hand; by keys and by one switch the brush is put down and lifted.
+# Draws a band and a line of iron, with any device; keys and one switch put the brush down and lift it.
 decorate_the_pot() {
     local middle=$((width / 2)) high=$((height * 45 / 100))
     press $decorating drawing-tool 1
@@ -216,10 +220,10 @@ decorate_the_pot() {
     wait_for "a stroke" has_strokes 1
     on_screen decorate
 }
-# Where the foot has clay to spare it may be turned, of the pot that stood TOP mm high; by one switch it is left as it is.
+# Trims a thick foot of the pot, which was TOP mm high; with one switch it is left as it is.
 is_dry() { has_come_to trim || has_come_to decorate; }
 is_lighter() { [[ "$(title)" =~ ^Onggi\ -\ trim\ -\ ([0-9]+)\ g ]] && [ "${BASH_REMATCH[1]}" -ge "$1" ]; }
-shave() {  # from off the wall inwards, where the belt shines
+shave() {  # from beside the wall inwards, at the cue
     case $hand in
     keys) keys Left ;;
     *) stroke 2 "80 $(($1 - 12))" "46 $(($1 - 12))" ;;
@@ -241,7 +245,7 @@ turn_the_foot() {
     fi
     on_screen decorate
 }
-# From the wheel to the shelf, where what was thrown has to be a pot; and out of the kiosk.
+# From the wheel to the shelf, where the result must be a pot; then ends the kiosk.
 keep_the_pot() {
     local top
     top=$(clay_mm)
@@ -277,7 +281,7 @@ keep_the_pot() {
     end_kiosk
     wait "$kiosk" || status=$?
     [ "$status" -eq 0 ] || fail "the kiosk ended with exit code $status"
-    # Unoptimised, that takes longer than the kiosk waits for somebody who has kept a pot.
+    # Unoptimised, judging takes longer than the kiosk's timeout after keeping a pot.
     verdict=$("$programs/judge_session" "$pot/pot.onggi") || fail "expected a pot, found ${verdict:-no verdict}"
     "$onggi" replay "$pot/pot.onggi" --validate || fail "the session that was kept does not replay"
     printf 'kept by %s in %s: %s, %s\n' "$hand" "$language" "$pot" "$verdict"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Every visitor there is, one after the other: visits.sh ONGGI PROGRAMS FOLDER. Each hand in each language at 16:9, and the
-# mouse in each language at the other shapes; who fails by SpaceMouse; a sheet of each visit's screens where
-# ImageMagick is there. A minute or two each; exit code 1 when one did not get to a kept pot.
+# All visitors, one after the other: visits.sh ONGGI PROGRAMS FOLDER. Each device in each language at 16:9,
+# and the mouse in each language at the other shapes; the failed visit by SpaceMouse; with ImageMagick also a
+# sheet of each visit's screens. A minute or two each; exit code 1 if one did not keep a pot.
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 onggi=$(realpath "$1")

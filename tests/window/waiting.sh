@@ -1,15 +1,15 @@
-# How the scripts of this folder wait, and what they say when it was in vain. Sourced after display.sh, never run; the
-# script puts the program's process into `kiosk` and its log into kiosk.log.
+# How the scripts of this folder wait, and how they report a timeout. Sourced after display.sh, never run; the
+# script sets `kiosk` to the program's process and writes its log to kiosk.log.
 #
-# They wait by the program's own sign of life, not by the clock: as a service manager's watchdog they are told that all is
-# well ten times a second at most, and each time only if a frame was shown and a tick was done since the last time. Where
-# a busy or slow machine shows few frames, signs are rare and the scripts wait accordingly longer.
+# They count the program's own signs of life, not seconds: like a service manager's watchdog they get at most
+# ten pings a second, each only if a frame was shown and a tick was done since the last one. On a busy or slow
+# machine with few frames, signs are rare and the scripts wait accordingly longer.
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-# A program that gives no sign of life and writes no line for so long hangs.
+# A program without a sign of life and without output for this long hangs.
 silence_s=$(scaled 60)
 
-# listen_for_life: the signs of life of every program that is started from here on, each a byte in ./signs.
+# listen_for_life: records the signs of life of every program started from here on, one byte each in ./signs.
 listen_for_life() {
     touch kiosk.log signs manager
     python3 "$here/signs_of_life.py" signs >manager &
@@ -18,22 +18,22 @@ listen_for_life() {
         sleep 0.1
     done
     NOTIFY_SOCKET=$(cat manager)
-    export NOTIFY_SOCKET WATCHDOG_USEC=400000  # told at a quarter of this
+    export NOTIFY_SOCKET WATCHDOG_USEC=400000  # pings come at a quarter of this
 }
 signs() { stat -c %s signs; }
 
-# A person's hands and eyes are not slower where the machine is busy: where it may, the script goes before other programs,
-# and starts the kiosk by `as_usual`, which does not.
+# A person is not slower on a busy machine: if allowed, the script runs at higher priority, and starts the
+# kiosk at normal priority by `as_usual`.
 renice -n -10 -p "$$" >/dev/null 2>&1 || true
 as_usual=()
 [ "$(nice)" -ge 0 ] || as_usual=("$(command -v nice)" -n "$((0 - $(nice)))")
 
-# What the window says of what is seen in it.
+# The window's title, which describes its content.
 title() { xdotool search --name '^Onggi' getwindowname 2>/dev/null | tail -1; }
 
 fail() { printf '%s\n' "$*"; cat kiosk.log; exit 1; }
 
-# keeps_living WHAT: fails where the program has ended, or hangs, while one waits for that.
+# keeps_living WHAT: fails if the program has ended or hangs during the wait for WHAT.
 last_life=
 last_life_s=$SECONDS
 keeps_living() {
@@ -61,9 +61,9 @@ within() {
         sleep 0.1
     done
 }
-# wait_for WHAT COMMAND...: five minutes of a machine that shows all frames, because what works behind the picture, at the
-# lowest priority, may get next to nothing of a busy one.
+# wait_for WHAT COMMAND...: five minutes on a machine that shows all frames, because work behind the picture,
+# at the lowest priority, may get almost no time on a busy one.
 most_signs=3000
 wait_for() { within "$most_signs" "$@" || fail "no $1, and the program goes on, found '$(title)'"; }
-# pause SIGNS: until the program has given that many more; ten are a second at the least.
+# pause SIGNS: waits until the program has given that many more; ten take at least a second.
 pause() { within "$1" "sign of life" false || true; }

@@ -1,6 +1,5 @@
-// The program under a service manager's eyes: a real window, a real datagram socket, and threads that stand
-// still because the kernel holds them (ptrace), so that nothing in the program plays along. Runs under
-// with_display.sh, which brings a display.
+// The program under a service manager's watchdog: a real window, a real datagram socket, and threads stopped
+// by the kernel (ptrace), without help from the program. Runs under with_display.sh, which brings a display.
 #include <gtest/gtest.h>
 #include <signal.h>  // NOLINT: SIGTERM
 #include <sys/ptrace.h>
@@ -34,7 +33,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kWatchdog{2000};
 
-// Listens, and keeps what it hears with its time.
+// Receives messages and stores them with their times.
 class Manager {
   public:
     explicit Manager(const fs::path& place) : place_(place) {
@@ -61,7 +60,7 @@ class Manager {
             std::this_thread::sleep_for(milliseconds(5));
         }
     }
-    // At most so long, on a slow machine longer.
+    // Waits up to `most`, longer on a slow machine.
     bool hears(const std::string& words, long times, milliseconds most) {
         const auto until = Clock::now() + test::scaled(most);
         while (count(words) < times && Clock::now() < until)
@@ -79,7 +78,7 @@ class Manager {
     std::vector<std::string> heard_;
 };
 
-// Of a process, by the name that the kernel knows; the main thread's number is the process's.
+// Finds a thread of a process by its kernel name; the main thread's id is the process's.
 int thread_named(int process, const std::string& name) {
     for (const auto& task : fs::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
         std::string comm;
@@ -89,7 +88,7 @@ int thread_named(int process, const std::string& name) {
     return -1;
 }
 
-// Holds one thread of a child still, and lets it go on when it leaves the scope.
+// Stops one thread of a child, and resumes it at the end of the scope.
 class Frozen {
   public:
     explicit Frozen(int thread) : thread_(thread) {
@@ -127,9 +126,10 @@ struct AWatchedKiosk : testing::Test {
         ASSERT_GT(thread, 0);
         {
             const Frozen frozen(thread);
-            if (!frozen.holds() && errno == EPERM) GTEST_SKIP() << "this system lets nobody hold a thread";
+            if (!frozen.holds() && errno == EPERM)
+                GTEST_SKIP() << "this system does not allow stopping a thread";
             ASSERT_TRUE(frozen.holds());
-            // One ping of the life before may still come.
+            // One ping from the previous run may still arrive.
             manager.listen_for(test::scaled(kWatchdog));
             const long before = manager.count("WATCHDOG=1");
             manager.listen_for(kWatchdog);
@@ -156,7 +156,7 @@ TEST_F(AWatchedKiosk, EndsWithinTwoSecondsWhenItIsAsked) {
     EXPECT_LT(std::count(printed.begin(), printed.end(), '\n'), 12) << "a flood: " << printed;
     const auto asked = Clock::now();
     onggi.signal(SIGTERM);
-    onggi.signal(SIGTERM);  // as a manager does that tells every process, the supervisor among them
+    onggi.signal(SIGTERM);  // as a manager that signals every process, including the supervisor
     EXPECT_EQ(onggi.exit_code(), 0) << onggi.printed();
     const std::chrono::duration<double> took = Clock::now() - asked;
     manager.listen();

@@ -70,11 +70,17 @@ def load(path):
     for thing in things:  # the light is ours, measured for the pot: lamps of the file would fall on the plate only
         if thing.type in ("LIGHT", "CAMERA"):
             bpy.data.objects.remove(thing)
-    has_wheel = any(o.name.lower().startswith("wheel") for o in meshes)
+    has_wheel = any(_is_wheel(o.name) or _is_wheel(o.data.name) for o in meshes)
     blocked = [o.name for o in meshes if _stands_on_wheel(o)]
     if blocked:
         print("note: %s reaches into the place of the pot" % ", ".join(blocked))
     return has_wheel
+
+
+def _is_wheel(name):
+    """The rule of game/wheel/room_model.cpp: the word "wheel" and what does not go on with it, no "wheelchair"."""
+    rest = name[5:]
+    return name[:5].lower() == "wheel" and (rest in ("", "head") or not rest[0].islower())
 
 
 def _stands_on_wheel(thing):

@@ -101,9 +101,12 @@ Result<void> DualSenseDriver::start(const HidDeviceInfo& device, HidPort& port) 
                                          .end_start_up_light = true}));
 }
 
+// A pad that is there and refuses to be told still moves the tool. It is told again at the next occasion.
 Result<void> DualSenseDriver::tell(HidPort& port, const Report& report) {
-    if (!is_by_radio_) return port.write(report.view());
-    return port.write(by_radio(report, sequence_++).view());
+    auto sent = port.write(is_by_radio_ ? by_radio(report, sequence_++).view() : report.view());
+    if (sent || !port.is_there()) return sent;
+    last_sent_.reset();
+    return {};
 }
 
 void DualSenseDriver::take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept {

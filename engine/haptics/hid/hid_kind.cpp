@@ -12,6 +12,7 @@ namespace onggi::haptics::hid {
 namespace {
 
 constexpr std::uint16_t k3Dconnexion = 0x256f;
+constexpr Usage kJoystick = usage(0x01, 0x04);
 constexpr Usage kMultiAxisController = usage(0x01, 0x08);
 constexpr std::uint16_t kForcePage = 0x0f;
 
@@ -68,13 +69,39 @@ bool takes_forces(const ReportDescriptor& descriptor) {
     });
 }
 
-// A model newer than the list, recognised by its name.
+bool has_collection(const ReportDescriptor& descriptor, Usage wanted) {
+    return std::any_of(descriptor.collections().begin(), descriptor.collections().end(),
+                       [&](const Collection& collection) { return collection.usage == wanted; });
+}
+
+// A model newer than the list, recognised by its descriptor.
 bool is_newer_space_mouse(const HidDeviceInfo& device, const ReportDescriptor& descriptor) {
     const bool is_another =
         std::find(kNotSpaceMice.begin(), kNotSpaceMice.end(), device.product_id) != kNotSpaceMice.end();
     return device.vendor_id == k3Dconnexion && !is_another &&
-           std::any_of(descriptor.collections().begin(), descriptor.collections().end(),
-                       [](const Collection& collection) { return collection.usage == kMultiAxisController; });
+           has_collection(descriptor, kMultiAxisController);
+}
+
+// Whether this interface of a known device is the one to drive: a receiver has a mouse's or a keyboard's
+// beside the axes, under the same numbers. Without a descriptor the numbers decide.
+bool is_other_interface(const HidDeviceInfo& device, const Result<ReportDescriptor>& descriptor) {
+    if (device.report_descriptor.empty() || !descriptor) return false;
+    const auto has_input = [&](Usage wanted) {
+        return static_cast<bool>(descriptor->find(ReportKind::kInput, 0, wanted));
+    };
+    switch (device.kind) {
+        case HidKind::kSpaceMouse:
+            return !has_collection(*descriptor, kMultiAxisController) &&
+                   !(has_input(kUsageX) && has_input(kUsageY) && has_input(kUsageZ));
+        case HidKind::kDualSense:
+            return !has_input(kUsageX);
+        case HidKind::kForceJoystick:
+            return !takes_forces(*descriptor) && !has_collection(*descriptor, kJoystick);
+        case HidKind::kVecPedal:
+        case HidKind::kUnknown:
+            break;
+    }
+    return false;
 }
 
 std::string_view what_it_does(HidKind kind) {
@@ -135,6 +162,7 @@ void recognise(HidDeviceInfo& device) {
     device.refusal.clear();
     device.remedy.clear();
     const auto descriptor = ReportDescriptor::parse(device.report_descriptor);
+    if (is_other_interface(device, descriptor)) device.kind = HidKind::kUnknown;
     const bool by_descriptor = device.kind == HidKind::kUnknown || device.kind == HidKind::kForceJoystick;
     if (by_descriptor && !descriptor) {
         device.refusal = descriptor.error().message;

@@ -31,22 +31,49 @@ void HidSession::search(std::int64_t now_ns) {
     // Uses the first device that starts. If none does, reports the first failure; if none may be used, the
     // reason.
     HidStatus told;
+    rivals_.clear();
     for (const HidDeviceInfo& device : *devices) {
         if (device.kind != options_.kind) continue;
         if (!options_.only.empty() && device.path != options_.only) continue;
+        if (port_) {
+            if (device.refusal.empty()) rivals_.push_back({.info = device, .port = nullptr});
+            continue;
+        }
         HidStatus status = begin(device);
         if (status.state == HidStatus::State::kReady) {
             gate_.restart();
             next_presence_ns_ = now_ns + kPresenceIntervalNs;
             ++status.times_found;
             publish(std::move(status));
-            return;
+            continue;
         }
         const bool is_worse =
             told.state != HidStatus::State::kFailed && status.state == HidStatus::State::kFailed;
         if (told.state == HidStatus::State::kAbsent || is_worse) told = std::move(status);
     }
-    publish(std::move(told));
+    if (!port_) publish(std::move(told));
+}
+
+void HidSession::hear_rivals(std::int64_t now_ns) {
+    for (Rival& rival : rivals_) {
+        if (!rival.port) {
+            auto opened = bus_->open(rival.info);
+            if (!opened) continue;
+            rival.port = std::move(opened).value();
+        }
+        std::array<std::uint8_t, kMaxReportBytes> report{};
+        const auto size = rival.port->read(report, 0);
+        if (!size || *size == 0) continue;
+        driver_->stop(*port_);
+        port_.reset();
+        const HidDeviceInfo chosen = rival.info;
+        rivals_.clear();
+        HidStatus status = begin(chosen);
+        if (status.state != HidStatus::State::kReady) next_search_ns_ = now_ns;
+        gate_.restart();
+        publish(std::move(status));
+        return;
+    }
 }
 
 HidStatus HidSession::begin(const HidDeviceInfo& device) {
@@ -78,6 +105,7 @@ bool HidSession::hear(std::int64_t now_ns) {
         const auto size = port_->read(report, wait_ms);
         if (!size) return false;
         if (*size == 0) return true;
+        rivals_.clear();
         driver_->take_report(std::span(report).first(std::min(*size, report.size())), now_ns);
         wait_ms = 0;
     }
@@ -89,6 +117,8 @@ void HidSession::exchange(std::int64_t now_ns) {
     if (now_ns >= next_presence_ns_) {
         next_presence_ns_ = now_ns + kPresenceIntervalNs;
         if (!port_->is_there()) return lose(now_ns);
+        hear_rivals(now_ns);
+        if (!port_) return;
     }
     const HandInput input = driver_->input(now_ns);
     if (input.is_live != status_.is_heard || input.buttons != status_.buttons) {
@@ -112,6 +142,7 @@ void HidSession::exchange(std::int64_t now_ns) {
 
 void HidSession::lose(std::int64_t now_ns) {
     port_.reset();
+    rivals_.clear();
     next_search_ns_ = now_ns + kSearchIntervalNs;
     publish(HandInput{});
     publish(HidStatus{});

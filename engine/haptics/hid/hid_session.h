@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/haptics/hid/force_gate.h"
 #include "engine/haptics/hid/hid_driver.h"
@@ -67,6 +68,8 @@ class HidSession final : public jobs::IoWork {
     // Opens the device and starts its driver. Returns ready, or why not.
     [[nodiscard]] HidStatus begin(const HidDeviceInfo& device);
     void exchange(std::int64_t now_ns);
+    // Goes over to the first of them that says something.
+    void hear_rivals(std::int64_t now_ns);
     // False: the device is gone.
     [[nodiscard]] bool hear(std::int64_t now_ns);
     void lose(std::int64_t now_ns);
@@ -80,6 +83,13 @@ class HidSession final : public jobs::IoWork {
     ForceGate gate_;
 
     std::unique_ptr<HidPort> port_;
+    // Other nodes of the kind, heard until the one in use says something: of a receiver's several, the one
+    // that a hand moves is wanted.
+    struct Rival {
+        HidDeviceInfo info;
+        std::unique_ptr<HidPort> port;
+    };
+    std::vector<Rival> rivals_;
     HidStatus status_;
     std::uint64_t heartbeat_ = 0;
     std::uint64_t refreshed_ = 0;

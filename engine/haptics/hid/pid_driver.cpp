@@ -92,11 +92,14 @@ Result<void> PidDriver::begin(HidPort& port) {
     // Reset twice, because one is sometimes lost; "stop all" before "enable", because some devices read "stop
     // all" as "actuators off".
     for (const PidUsage control : {PidUsage::kReset, PidUsage::kReset, PidUsage::kStopAll}) {
-        if (auto sent = write(port, device_control(*layout_, control)); !sent) return sent;
+        // A reset may be refused: the effects are set again in any case.
+        if (auto sent = write(port, device_control(*layout_, control));
+            !sent && control == PidUsage::kStopAll)
+            return sent;
         port.pause_ms(kResetPauseMs);
     }
     if (auto sent = write(port, device_control(*layout_, PidUsage::kEnableActuators)); !sent) return sent;
-    if (auto sent = write(port, device_gain(*layout_, 1.0)); !sent) return sent;
+    (void)write(port, device_gain(*layout_, 1.0));  // without it the device has its own, which is no more
 
     struct Request {
         PidUsage type;
@@ -115,7 +118,8 @@ Result<void> PidDriver::begin(HidPort& port) {
                             : layout_->has_effect(request.type) && layout_->place(PidUsage::kSetCondition);
         if (!is_possible) continue;
         auto loaded = load(port, request.type, request.axis);
-        if (!loaded) return loaded.error();
+        if (!loaded && request.is_needed) return loaded.error();
+        if (!loaded) continue;
         if (*loaded) {
             effects_.push_back(**loaded);
         } else if (request.is_needed) {

@@ -18,8 +18,10 @@ struct Need {
     Usage field;
     std::string_view name;
 };
-// Without these no force can be created, set or stopped.
-constexpr std::array<Need, 14> kNeeds{{
+// Without these no force can be created, set or stopped. Everything else may be missing: reset and enabling
+// too, which a device that is always on leaves out. Linux's hid-pidff needs more: gain, pool and block free,
+// trigger and direction.
+constexpr std::array<Need, 12> kNeeds{{
     {PidUsage::kCreateEffect, usage(PidUsage::kConstantForceType), "the effect type of Create New Effect"},
     {PidUsage::kBlockLoad, usage(PidUsage::kBlockIndex), "the block index of Block Load"},
     {PidUsage::kBlockLoad, usage(PidUsage::kLoadOk), "the status of Block Load"},
@@ -32,8 +34,6 @@ constexpr std::array<Need, 14> kNeeds{{
     {PidUsage::kEffectOperation, usage(PidUsage::kStart), "the start of Effect Operation"},
     {PidUsage::kEffectOperation, usage(PidUsage::kStop), "the stop of Effect Operation"},
     {PidUsage::kDeviceControlReport, usage(PidUsage::kStopAll), "the stop-all of Device Control"},
-    {PidUsage::kDeviceControlReport, usage(PidUsage::kReset), "the reset of Device Control"},
-    {PidUsage::kDeviceControlReport, usage(PidUsage::kEnableActuators), "the enabling of Device Control"},
 }};
 
 constexpr std::array<PidUsage, 10> kReports{
@@ -57,13 +57,17 @@ ReportKind PidLayout::kind_of(PidUsage report) noexcept {
     }
 }
 
+Usage PidLayout::collection_of(PidUsage report) const noexcept {
+    return usage(report == PidUsage::kDeviceControlReport ? device_control_ : report);
+}
+
 Element PidLayout::element(PidUsage report, Usage wanted) const noexcept {
-    return descriptor_.find(kind_of(report), usage(report), wanted);
+    return descriptor_.find(kind_of(report), collection_of(report), wanted);
 }
 
 ReportPlace PidLayout::place(PidUsage report) const noexcept {
     for (const Field& field : descriptor_.fields()) {
-        if (field.kind != kind_of(report) || !descriptor_.is_inside(field.collection, usage(report)))
+        if (field.kind != kind_of(report) || !descriptor_.is_inside(field.collection, collection_of(report)))
             continue;
         return {field.report_id, descriptor_.report_bytes(field.kind, field.report_id)};
     }
@@ -85,6 +89,7 @@ Result<PidLayout> PidLayout::find(ReportDescriptor descriptor) {
         return bad_input(fmt::format("force feedback (USB PID 1.0): expected {}, found none", what));
     };
     if (!layout.descriptor_.numbers_reports()) return lacks("numbered reports");
+    if (!layout.place(PidUsage::kDeviceControlReport)) layout.device_control_ = PidUsage::kDeviceControlList;
     for (const Need& need : kNeeds) {
         const Element element = layout.element(need.report, need.field);
         if (!element || element.field->report_id != layout.place(need.report).id) return lacks(need.name);

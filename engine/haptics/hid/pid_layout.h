@@ -53,6 +53,7 @@ enum class PidUsage : std::uint16_t {
     kBlockFree = 0x90,
     kState = 0x92,
     kDeviceControlReport = 0x95,
+    kDeviceControlList = 0x96,
     kEnableActuators = 0x97,
     kDisableActuators = 0x98,
     kStopAll = 0x99,
@@ -68,6 +69,7 @@ constexpr Usage usage(PidUsage id) {
 // Usages of the page Generic Desktop.
 constexpr Usage kUsageX = usage(0x01, 0x30);
 constexpr Usage kUsageY = usage(0x01, 0x31);
+constexpr Usage kUsageZ = usage(0x01, 0x32);
 
 enum class Axis : std::uint8_t { kX, kY };
 constexpr std::array<Axis, 2> kBothAxes{Axis::kX, Axis::kY};
@@ -96,8 +98,12 @@ class PidLayout {
   private:
     explicit PidLayout(ReportDescriptor descriptor) : descriptor_(std::move(descriptor)) {}
     static ReportKind kind_of(PidUsage report) noexcept;
+    [[nodiscard]] Usage collection_of(PidUsage report) const noexcept;
 
     ReportDescriptor descriptor_;
+    // Several firmwares name the list alone, without the report around it: Linux's hid-pidff looks for no
+    // more.
+    PidUsage device_control_ = PidUsage::kDeviceControlReport;
 };
 
 // The stick's state from its reports: -1 to 1, X to the right, Y towards the hand, as the HID usage tables

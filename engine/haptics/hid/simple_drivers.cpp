@@ -85,7 +85,9 @@ DeviceCapabilities SpaceMouseDriver::capabilities() const {
 Result<void> SpaceMouseDriver::start(const HidDeviceInfo& /*device*/, HidPort& port) {
     state_ = {};
     wheel_turns_ = false;
-    return port.write(space_mouse_lamp(true).view());
+    (void)port.write(
+        space_mouse_lamp(true).view());  // an ornament: one that cannot be switched refuses no hand
+    return {};
 }
 
 void SpaceMouseDriver::take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept {

@@ -1,6 +1,6 @@
-// Silhouettes of moving things as line segments: a pixel on a segment is shared by what is on its two sides.
-// A picture with one sample per pixel is smoothed along them (edge_pixels.h). Any thread; pure functions. mm,
-// pixels.
+// Silhouettes of moving things as line segments: a pixel on a segment is shared by the surfaces on its two
+// sides. A picture with one sample per pixel is smoothed along them (edge_pixels.h). Any thread; pure
+// functions. mm, pixels.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 
 namespace onggi::render {
 
-// The pixels that the lathe certainly covers: what is under them need not be drawn. Pixels.
+// The pixels that the lathe certainly covers: surfaces under them need not be drawn. Pixels.
 
 // The part of a line of pixels that the pot certainly covers.
 struct Covered {

@@ -15,10 +15,10 @@ namespace onggi::render {
 constexpr VkFormat kMaskFormat = VK_FORMAT_R8G8_UNORM;
 
 struct VulkanImages {
-    // Of fixed size.
+    // With a fixed size.
     vk::Image detail;
     vk::Image mask;
-    // Of the size of the scene's picture.
+    // With the size of the scene's picture.
     vk::Image depth;
     vk::Image multisampled;  // with samples > 1
     vk::Image smaller;       // if the scene's picture is smaller than the target

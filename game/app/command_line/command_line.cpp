@@ -23,14 +23,14 @@ CLI::App* command_named(CLI::App& program, std::string_view name) {
     return commands.empty() ? nullptr : commands.front();
 }
 
-// Help and version were asked for: print them, and notice when they could not be.
+// Prints the requested help or version, and reports a failed write.
 int print(CLI::App& program, const CLI::Success& asked) {
     program.exit(asked, std::cout, std::cerr);
     std::cout.flush();
     return std::cout ? 0 : report(system_lacks("standard output cannot be written"));
 }
 
-// "onggi throw: --rate: ... (see onggi throw --help)", on one line whatever the words were.
+// "onggi throw: --rate: ... (see onggi throw --help)", always on one line.
 int refuse_usage(const CLI::App& program, const CLI::ParseError& error) {
     std::string words = program.get_name();
     for (const CLI::App* command : program.get_subcommands())
@@ -69,7 +69,7 @@ int run_command_line(CLI::App& program, int argc, const char* const* argv, const
                                                  words.empty() ? "none" : in_quotes(words[0])),
                                      CLI::ExitCodes::RequiredError);
         }
-        std::reverse(words.begin(), words.end());  // as CLI11 takes them
+        std::reverse(words.begin(), words.end());  // the order that CLI11 expects
         program.parse(words);
         return exit_status;
     } catch (const CLI::Success& asked) {

@@ -8,12 +8,11 @@
 namespace onggi::app {
 
 void add_devices_command(CLI::App& program, int& exit_status) {
-    CLI::App* command =
-        program.add_subcommand("devices", "List what there is to hold and feel the clay with");
+    CLI::App* command = program.add_subcommand("devices", "List the devices that can hold the tool");
     command->callback([&exit_status] {
         const std::vector<Finding> findings = probe_haptic_devices();
         std::fputs(findings_as_text(findings).c_str(), stdout);
-        exit_status = 0;  // it could look; what it found is not its failure
+        exit_status = 0;  // a missing device is no failure of the command
     });
 }
 

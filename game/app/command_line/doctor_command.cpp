@@ -26,7 +26,7 @@ using Verdict = Finding::Verdict;
 
 using render::BackendChoice;
 
-// Who draws on this device, where the quality ladder begins and how far it may go from there.
+// The backend for this device, the first quality level and the range of levels.
 Finding probe_quality(const vk::DeviceDescription& device, BackendChoice backend) {
     const int threads = draw_threads(jobs::choose_haptic_core());
     const render::DeviceClass counts_as = render::class_for(backend, wheel::device_class(device));
@@ -44,20 +44,20 @@ Finding probe_quality(const vk::DeviceDescription& device, BackendChoice backend
                              render::quality_name(range.highest))};
     if (!by_processor && device.is_cpu()) {
         finding.verdict = Verdict::kNote;
-        finding.cost = "some frames a second, for who looks at what a GPU would draw";
+        finding.cost = "a few frames a second, for testing what a GPU would draw";
         finding.remedy = "leave the backend at auto, or install a driver for a GPU";
     }
     return finding;
 }
 
-// The one asked for, else that of the settings, else auto.
+// The backend of the option, else of the settings, else auto.
 BackendChoice backend_of(const std::optional<BackendChoice>& asked, const std::string& settings) {
     if (asked) return *asked;
     std::error_code error;
     const std::string file = settings.empty() ? kUsualSettings : settings;
     if (!std::filesystem::exists(file, error)) return BackendChoice::kAuto;
     const auto read = load_settings(file);
-    if (!read) return BackendChoice::kAuto;  // what is wrong with them is a finding of its own
+    if (!read) return BackendChoice::kAuto;  // errors in the settings are a separate finding
     return render::backend_choice_named(read->config.screen.backend).value_or(BackendChoice::kAuto);
 }
 
@@ -143,16 +143,16 @@ int examine(const std::string& settings, const std::optional<BackendChoice>& bac
 void add_doctor_command(CLI::App& program, int& exit_status) {
     CLI::App* command = program.add_subcommand(
         "doctor",
-        "Say what this machine has and lacks: Vulkan, real time, cores, devices, disk, display, settings");
+        "Report what this machine has and lacks: Vulkan, real time, cores, devices, disk, display, settings");
     const auto strict = std::make_shared<bool>(false);
     command->add_flag("--strict", *strict, "exit with 3 where something is lacking");
     const auto settings = std::make_shared<std::string>();
     command
         ->add_option("--config", *settings,
-                     fmt::format("settings of a kiosk to look at; without it those in {}", kUsualSettings))
+                     fmt::format("settings of a kiosk to check; default: those in {}", kUsualSettings))
         ->type_name("FILE.toml");
     const auto backend = std::make_shared<std::optional<BackendChoice>>();
-    add_backend_option(*command, *backend, "who is to draw, whatever the settings say");
+    add_backend_option(*command, *backend, "the backend to check, overriding the settings");
     command->callback(
         [strict, settings, backend, &exit_status] { exit_status = examine(*settings, *backend, *strict); });
 }

@@ -38,7 +38,7 @@ struct FilmOptions {
     std::string glaze;
 };
 
-// One of the six, by its name.
+// The glaze of that name, one of six.
 Result<const finish::GlazeMaterial*> glaze_called(const std::string& name, const std::string& place) {
     if (const finish::GlazeMaterial* glaze = finish::find_glaze(name)) return glaze;
     std::string known;
@@ -47,10 +47,10 @@ Result<const finish::GlazeMaterial*> glaze_called(const std::string& name, const
     return bad_input(fmt::format("{}: expected one of {}, found {}", place, known, in_quotes(name)));
 }
 
-// Who films a pot while its glaze is still being chosen says it when it is, and behind it, after a space,
-// where what was drawn on the pot lies, if anything was.
+// Reads a line of standard input, for a film that starts before the glaze is chosen: the glaze's name and,
+// after a space, the path of the decoration's file, if there is one.
 Result<const finish::GlazeMaterial*> finish_as_stdin_says(FilmMaker& maker) {
-    std::array<char, 4096> line{};  // longer than any place
+    std::array<char, 4096> line{};  // longer than any path
     std::cin.getline(line.data(), line.size());
     const std::string all = line.data();
     const std::size_t space = std::min(all.find(' '), all.size());
@@ -140,16 +140,15 @@ void add_film_command(CLI::App& program, int& exit_status) {
                       fmt::format("how long it is ({})", FilmDesc{}.seconds));
     add_firing_option(*command, options->finished, "the stage at which the finished pot is shown");
     command
-        ->add_option(
-            "--glaze", options->glaze,
-            "the finished pot under that glaze; - reads its name, and where what was drawn on it lies, from "
-            "standard input when the making "
-            "is drawn")
+        ->add_option("--glaze", options->glaze,
+                     "the finished pot's glaze; - reads its name, and the path of the decoration's file, "
+                     "from standard "
+                     "input once the making is drawn")
         ->type_name("NAME");
     command->add_option("--still", options->still, "a picture from late in the making, beside the film")
         ->type_name("F.webp");
     command->add_flag("--quick", options->quick,
-                      "drawn as the live window is: a quarter of the time, and a little coarser");
+                      "draw like the live window: a quarter of the time, slightly coarser");
     command->callback([options, &exit_status] { exit_status = exit_code(make_film(*options)); });
 }
 

@@ -76,7 +76,7 @@ std::string words_of(const kiosk::Config& config) {
     std::string words = fmt::format("visits begin in {}, of {}; {} clay", config.languages.first,
                                     fmt::join(config.languages.order, ", "),
                                     config.visit.forgiving ? "forgiving" : "unforgiving");
-    words += config.staff.pin.empty() ? "; no staff panel, for want of a PIN" : "; a PIN for the staff";
+    words += config.staff.pin.empty() ? "; no staff panel without a PIN" : "; a PIN for the staff";
     if (config.staff.locked) words += "; locked";
     if (config.hours.opens_min != config.hours.closes_min)
         words += fmt::format("; open {:02}:{:02} to {:02}:{:02}", config.hours.opens_min / 60,
@@ -85,7 +85,7 @@ std::string words_of(const kiosk::Config& config) {
     return words;
 }
 
-// A gallery that is not there yet will be made in the folder that is.
+// A missing gallery will be created in its first existing parent folder.
 Finding probe_gallery(const kiosk::Config& config) {
     std::error_code error;
     fs::path there = fs::absolute(config.gallery.folder, error);
@@ -97,13 +97,13 @@ Finding probe_gallery(const kiosk::Config& config) {
                     .found = fmt::format("{:.0f} MB free for pots in {}", free_mb, config.gallery.folder)};
     if (free_mb >= config.gallery.least_free_mb) return finding;
     finding.verdict = Verdict::kLacking;
-    finding.found += fmt::format(", the settings ask for {:.0f}", config.gallery.least_free_mb);
+    finding.found += fmt::format(", the settings require {:.0f}", config.gallery.least_free_mb);
     finding.cost = "no pot is kept; visitors are told that the shelf is full";
     finding.remedy = "free some space, or name another gallery.folder in the settings";
     return finding;
 }
 
-// Of sharing that is on: can pots be put, and does somebody serve them.
+// With sharing on: whether the outbox can be written and whether the server answers.
 std::vector<Finding> probe_sharing(const kiosk::Config& config) {
     const auto& sharing = config.sharing;
     std::vector<Finding> findings;
@@ -135,24 +135,29 @@ std::vector<Finding> probe_sharing(const kiosk::Config& config) {
     findings.push_back(
         {.subject = "sharing",
          .verdict = Verdict::kLacking,
-         .found = address ? fmt::format("nobody answers at {}, port {}", *address, sharing.port)
+         .found = address ? fmt::format("no answer from {}, port {}", *address, sharing.port)
                           : address.error().message,
          .cost = "phones find no pot",
          .remedy = "systemctl enable --now onggi-share (or run onggi share), and look at sharing.listen"});
     return findings;
 }
 
-// The room that the settings name, opened as the kiosk opens it.
+// Opens the room of the settings as the kiosk does.
 Finding probe_room(const std::string& room) {
     constexpr int kWidthPx = 1280;
     constexpr int kHeightPx = 720;
     const wheel::OpenedScene opened = wheel::open_scene(room, kWidthPx, kHeightPx);
-    if (opened.lack.empty()) return {.subject = "room", .found = fmt::format("the house's own, {}", room)};
+    if (opened.lack.empty()) {
+        return {.subject = "room",
+                .verdict = opened.note.empty() ? Verdict::kGood : Verdict::kNote,
+                .found = fmt::format("the museum's own, {}{}", room,
+                                     opened.note.empty() ? "" : "; not drawn: " + opened.note)};
+    }
     return {.subject = "room",
             .verdict = Verdict::kLacking,
             .found = opened.lack,
-            .cost = "the wheel stands in the room that comes with the program",
-            .remedy = "mend what the line names, or take room out of [screen]"};
+            .cost = "the wheel is shown in the program's own room",
+            .remedy = "fix what the message names, or remove room from [screen]"};
 }
 
 }  // namespace
@@ -185,20 +190,19 @@ Finding probe_stop_keys(const std::string& folder) {
         ::close(keyboard.file);
     if (!keyboards.empty())
         return {.subject = "stop key",
-                .found = fmt::format("Pause and Stop are heard of {} {}, whatever the picture does",
+                .found = fmt::format("Pause and Stop work on {} {}, even if the picture hangs",
                                      keyboards.size(), keyboards.size() == 1 ? "keyboard" : "keyboards")};
     return {.subject = "stop key",
             .verdict = Verdict::kNote,
-            .found = fmt::format(
-                "Pause is heard by the window alone: no keyboard below {} has a stop key and may be "
-                "read; members of the group input may read them",
-                folder)};
+            .found = fmt::format("Pause works in the window only: no readable keyboard in {} has a stop key; "
+                                 "members of the group input may read them",
+                                 folder)};
 }
 
 Finding finding_for(const haptics::HidDeviceInfo& device) {
     Finding finding{.subject = "device", .found = name_of(device)};
     if (device.kind == haptics::HidKind::kUnknown) {
-        finding.verdict = Verdict::kNote;  // most are keyboards and mice, which reach the window without us
+        finding.verdict = Verdict::kNote;  // mostly keyboards and mice, which the window system handles
         finding.found += ": " + device.refusal;
     } else if (device.refusal.empty()) {
         finding.found += fmt::format(": {}; {}", haptics::hid::words_for(device.kind), device.can);
@@ -219,7 +223,7 @@ Finding probe_inverse(const haptics::haply::InverseOptions& options) {
                                      "axes and pushes back in all of them once the device is plugged in",
                                      options.host, options.port)};
     }
-    // Few have one: no lack.
+    // Few machines have one, so this is not a lack.
     return {
         .subject = "device",
         .verdict = Verdict::kNote,
@@ -231,16 +235,18 @@ Finding probe_inverse(const haptics::haply::InverseOptions& options) {
 Finding probe_sound() {
     const std::string obstacle = sound::why_no_sound();
     if (obstacle.empty()) return {.subject = "sound", .found = "a sound card or a sound server"};
-    return {.subject = "sound",
-            .verdict = Verdict::kLacking,
-            .found = obstacle,
-            .cost = "the wheel is silent; who feels no force and sees little misses what the clay does",
-            .remedy = "plug in a loudspeaker, or start a sound server (PipeWire, PulseAudio)"};
+    return {
+        .subject = "sound",
+        .verdict = Verdict::kLacking,
+        .found = obstacle,
+        .cost = "the wheel is silent; visitors without a force or with poor sight miss what the clay does",
+        .remedy = "plug in a loudspeaker, or start a sound server (PipeWire, PulseAudio)"};
 }
 
 std::vector<Finding> probe_haptic_devices() {
     std::vector<Finding> findings{
-        {.subject = "device", .found = "simulated tool: mouse or touch, always there; the tool lags behind"}};
+        {.subject = "device",
+         .found = "simulated tool: mouse or touch, always available; the tool lags behind"}};
     const auto devices = haptics::list_hid_devices();
     if (!devices) {
         findings.push_back({.subject = "device",
@@ -268,18 +274,16 @@ std::vector<Finding> probe_settings(const std::string& file, const std::string& 
         return {{.subject = "settings",
                  .verdict = Verdict::kNote,
                  .found = fmt::format(
-                     "none in {}: the kiosk begins with its own unless --config names others", usual)}};
+                     "none in {}: the kiosk starts with defaults unless --config names settings", usual)}};
     }
     const std::string& read = file.empty() ? usual : file;
     const auto settings = load_settings(read);
     if (!settings) {
-        return {
-            {.subject = "settings",
-             .verdict = Verdict::kLacking,
-             .found = settings.error().message,
-             .cost =
-                 "the kiosk does not start with them; with --or-config it goes on with others and says so",
-             .remedy = "mend what the line names; assets/kiosk.toml shows every setting"}};
+        return {{.subject = "settings",
+                 .verdict = Verdict::kLacking,
+                 .found = settings.error().message,
+                 .cost = "the kiosk does not start with them; with --or-config it uses others and reports it",
+                 .remedy = "fix what the message names; assets/kiosk.toml shows every setting"}};
     }
     std::vector<Finding> findings{
         {.subject = "settings", .found = fmt::format("{}: {}", read, words_of(settings->config))}};
@@ -306,7 +310,7 @@ Finding probe_workshop() {
     const Finding lacking{
         .subject = "workshop",
         .verdict = Verdict::kLacking,
-        .cost = "the wheel stands before a plain wall instead of in its workshop",
+        .cost = "the wheel is shown before a plain wall instead of in its workshop",
         .remedy = "install the program with its share/onggi folder, or name one by ONGGI_ASSETS"};
     const auto without = [&](const std::string& why) {
         Finding finding = lacking;
@@ -367,12 +371,11 @@ Finding probe_fonts(const std::vector<fs::path>& folders) {
         packages.insert(std::string(family.package));
     }
     if (missing.empty()) return {.subject = "fonts", .found = "all families of the visitor's screens"};
-    return {
-        .subject = "fonts",
-        .verdict = Verdict::kLacking,
-        .found = fmt::format("without {}", fmt::join(missing, ", ")),
-        .cost = "the kiosk's words are set in other fonts, or are empty boxes where none has their letters",
-        .remedy = fmt::format("apt-get install {}", fmt::join(packages, " "))};
+    return {.subject = "fonts",
+            .verdict = Verdict::kLacking,
+            .found = fmt::format("without {}", fmt::join(missing, ", ")),
+            .cost = "the kiosk's texts use other fonts, or show empty boxes for missing letters",
+            .remedy = fmt::format("apt-get install {}", fmt::join(packages, " "))};
 }
 
 }  // namespace onggi::app

@@ -1,5 +1,5 @@
 // What `onggi doctor` finds: a fact, what its lack costs, and how to mend it. Main thread; a probe may block
-// for some milliseconds, and changes nothing.
+// for some milliseconds, and does not change the machine.
 #pragma once
 
 #include <filesystem>
@@ -30,48 +30,46 @@ std::string findings_as_text(std::span<const Finding> findings);
 
 bool any_lacking(std::span<const Finding> findings);
 
-// What there is to hold and feel the clay with, for `onggi devices` and `onggi doctor`. Opens nothing.
+// Probes the haptic and input devices for `onggi devices` and `onggi doctor`. Opens no device.
 
-// The simulated tool, which is always there, every HID device - what it can do here, or why it is not used
-// and what would mend that -, every gamepad, and whether an Inverse3's service listens. Lacking: a device
-// that could be used and is not, or a bus that cannot be seen.
+// The simulated tool, which is always available; every HID device with its use here, or the reason why it is
+// not used and the remedy; every gamepad; and whether an Inverse3's service listens. Lacking: a usable device
+// that is not used, or a bus that cannot be read.
 [[nodiscard]] std::vector<Finding> probe_haptic_devices();
 
-// Whether the Inverse3's service listens at that place; asks for 200 ms at most.
+// Whether the Inverse3's service listens at that address; waits for up to 200 ms.
 [[nodiscard]] Finding probe_inverse(const haptics::haply::InverseOptions& options);
 
-// Whether a stop key is heard while the picture hangs: of keyboards below that folder.
+// Whether the stop key works while the picture hangs: looks for readable keyboards below that folder.
 [[nodiscard]] Finding probe_stop_keys(const std::string& folder = "/dev/input");
 
-// Whether the wheel can be heard.
+// Whether there is a sound device.
 [[nodiscard]] Finding probe_sound();
 
-// One device's line.
+// The finding of one device.
 [[nodiscard]] Finding finding_for(const haptics::HidDeviceInfo& device);
 
-// What `onggi doctor` asks the machine besides Vulkan and real time: display, disk, fonts, the kiosk's
-// settings.
+// The probes of `onggi doctor` besides Vulkan and real time: display, disk, fonts, the kiosk's settings.
 
-// Whether a window can be opened, by trying to reach the display that the environment names.
+// Whether a window can be opened: tries to connect to the display of the environment.
 Finding probe_display();
 
-// The photographed workshop that comes with the program: where it is, or why the small still life is shown
+// The photographed workshop that comes with the program: its place, or why the small still life is shown
 // instead.
 Finding probe_workshop();
 
 // Free space where pots, pictures and sessions go. An hour of throwing at 4 kHz may take 700 MB.
 Finding probe_disk(const std::filesystem::path& folder);
 
-// The font families of the visitor's screens, looked for by file name below `folders`.
+// The font families of the visitor's screens, searched by file name below `folders`.
 Finding probe_fonts(const std::vector<std::filesystem::path>& folders);
 std::vector<std::filesystem::path> font_folders();
 
-// Where an installed kiosk has its settings.
+// The settings file of an installed kiosk.
 constexpr const char* kUsualSettings = "/etc/onggi/kiosk.toml";
 
-// The kiosk's settings, read as `onggi kiosk` reads them and, where they are wrong, in its words; what they
-// leave out; the room of their own; and whether the disk has the space that they ask for pots. `file` empty:
-// those at `usual`, if there are any.
+// The kiosk's settings, read like `onggi kiosk` with the same errors; missing settings; their room; and
+// whether the disk has the space that they require for pots. An empty `file` means `usual`, if it exists.
 std::vector<Finding> probe_settings(const std::string& file, const std::string& usual = kUsualSettings);
 
 }  // namespace onggi::app

@@ -43,39 +43,39 @@ struct KioskOptions {
     bool full_screen = false;
     std::string device = "auto";
     std::string config;
-    std::string other_config;  // for when it cannot be read
+    std::string other_config;  // for the message when it cannot be read
     std::string gallery;
     std::optional<double> volume = {};
     std::optional<render::BackendChoice> backend = {};
 };
 
-// Any number that is another one after a tick.
+// A number that changes with every tick.
 std::uint64_t tick_mark(const haptic::Snapshot& snapshot) {
     return snapshot.tick + (snapshot.run << 40U) + (snapshot.states_put << 32U);
 }
 
-// Where the recordings of spoken lines are; empty: there are none.
+// The folder of the spoken lines' recordings, or empty without recordings.
 std::filesystem::path spoken_folder(const kiosk::Config& config) {
     if (!config.sound.spoken_folder.empty()) return config.sound.spoken_folder;
     const auto found = files::find_asset("spoken");
     return found ? *found : std::filesystem::path();
 }
 
-// Of the command line, else of the settings, which have been looked at.
+// The backend of the command line, else of the settings, which have been validated.
 render::BackendChoice backend_of(const KioskOptions& options, const kiosk::Config& config) {
     return options.backend.value_or(
         render::backend_choice_named(config.screen.backend).value_or(render::BackendChoice::kAuto));
 }
 
-// What is looked after beside the visits.
+// The kiosk's services other than the visits.
 struct Beside {
     KioskKeeper& keeper;
     KioskSound& sound;
     wheel::LiveView& view;
-    PictureNote* picture;  // null: what this run comes to is no rule
+    PictureNote* picture;  // null: this run's quality is not remembered
 };
 
-// With what the command line says in place of the file's words.
+// The file's settings, overridden by the command line.
 Result<KioskSettings> settings_of(const KioskOptions& options) {
     auto settings = load_settings(options.config, options.other_config);
     if (settings && !options.gallery.empty()) settings->config.gallery.folder = options.gallery;
@@ -95,14 +95,14 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     pacer.emplace(clock, frame_rate_hz);
     std::optional<double> beat_s;
     while (!visit.quits() && !end_was_asked()) {
-        if (job.finished()) return failed("the hand's loop has ended by itself");
-        // Another display, or another device that draws.
+        if (job.finished()) return failed("the haptic loop has ended by itself");
+        // The display or the drawing device has changed.
         if (const double rate_hz = beside.view.frame_rate_hz(); rate_hz != frame_rate_hz)
             pacer.emplace(clock, frame_rate_hz = rate_hz);
         pacer->wait(beside.view.wait_for_display());
         const double now_s = jobs::MonotonicClock::now_s();
         if (auto shown = visit.frame(now_s); !shown) return shown;
-        // The first as soon as there is a picture to tell of.
+        // The first beat follows the first picture.
         if (beat_s ? now_s - *beat_s >= KioskHeartbeat::kEveryS : visit.frames_shown() > 0) {
             beat_s = now_s;
             keeper.beat(visit.pulse());
@@ -123,13 +123,13 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
         pacer->finish();
     }
     service.ends();
-    if (end_was_asked()) remark("ending, as asked");
+    if (end_was_asked()) remark("ending, as requested");
     if (visit.quits())
-        remark(visit.restarts() ? "beginning anew, as asked at the panel" : "ending, as asked at the window");
+        remark(visit.restarts() ? "restarting, as requested at the panel"
+                                : "ending, as requested at the window");
     return {};
 }
 
-// How a kiosk ended.
 enum class KioskEnd { kDone, kStartAnew };
 
 Result<std::unique_ptr<wheel::LiveView>> open_view(const KioskOptions& options, const KioskSettings& settings,
@@ -167,7 +167,7 @@ haptic::HapticJobOptions kiosk_job_options(const jobs::RealTimeRequest& real_tim
     haptic::HapticJobOptions options;
     options.spares_the_core = true;
     options.real_time = real_time;
-    // The keeper may be that late, on a machine that does other things, and no visitor's pot is lost.
+    // The keeper may be this late on a busy machine without losing a visitor's pot.
     constexpr double kMostLateS = 16.0;
     options.record_capacity = static_cast<std::size_t>(kMostLateS * rate_hz);
     return options;
@@ -184,11 +184,18 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     note_end_signals(settings->rules.locked);
     take_kept_house(*settings);
     const jobs::CoreChoice core = leave_haptic_core();
-    StartKeeper starts(state_folder(settings->config.gallery.folder));
+    const std::filesystem::path state = state_folder(settings->config.gallery.folder);
+    GalleryLock lock;
+    if (auto taken = lock.take(state); !taken) return taken.error();
+    StartKeeper starts(state);
     const StartReport start_report = starts.begin_now(settings->remarks);
-    PictureNote picture(state_folder(settings->config.gallery.folder));
+    PictureNote picture(state);
     auto view = open_view(options, *settings, core, start_report.is_safe_mode, picture.read());
-    if (!view) return view.error();
+    if (!view) {
+        // No display, or no driver for it yet: that is the machine's, and no fall of the program's.
+        if (view.error().kind == ErrorKind::kSystemLacks) static_cast<void>(starts.end_now());
+        return view.error();
+    }
     leave_haptic_core_wholly(core);
     warn_of_lacks(*settings, **view);
 
@@ -249,25 +256,27 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     keeper.stop();
     job.stop();
     tell_last_answers(keeper);
-    // An error that ends the program counts as a fall: it is started again, and may fail again.
+    // An error that ends the program counts as a crash, because it may repeat after the restart.
     if (played) played = starts.end_now();
     if (!played) return played.error();
     return end;
 }
 
-// The kiosk under this supervisor is no more: for the journal, and for who asks for its status from afar.
+// Reports that the supervised kiosk has ended, to the journal and in the status file for remote monitoring.
 void tell_of_end(const KioskOptions& options, int code) {
-    // What could not begin has said so, in one line.
+    // A kiosk that could not start has already printed its error.
     if (code == 0 || code == exit_code(ErrorKind::kFailed))
         remark(fmt::format("the kiosk ended with exit code {}", code));
     if (code == 0) return;
     const auto settings = settings_of(options);
-    if (!settings) return;  // the kiosk has said why
+    if (!settings) return;  // the kiosk has printed the error
+    if (GalleryLock::other_at(state_folder(settings->config.gallery.folder)))
+        return;  // the status is the other kiosk's
     if (auto told = KioskHeartbeat(settings->config).end_after_fall(wall_clock_s()); !told)
         warn(told.error().message);
 }
 
-// With the exit code to end with, where the process cannot be taken over.
+// Restarts the program in this process; returns the exit code if that fails.
 int begin_anew() {
     static_cast<void>(report(start_anew()));
     return kRestartExitCode;
@@ -276,8 +285,7 @@ int begin_anew() {
 }  // namespace
 
 void add_kiosk_command(CLI::App& program, int& exit_status) {
-    CLI::App* command =
-        program.add_subcommand("kiosk", "the experience, in a window; also what onggi does alone");
+    CLI::App* command = program.add_subcommand("kiosk", "the kiosk, in a window; the default command");
     const auto options = std::make_shared<KioskOptions>();
     add_size_option(*command, options->size);
     command->add_flag("--full-screen", options->full_screen, "fill the primary screen");
@@ -286,16 +294,15 @@ void add_kiosk_command(CLI::App& program, int& exit_status) {
         ->type_name("FILE.toml");
     command
         ->add_option("--or-config", options->other_config,
-                     "settings to go on with where those of --config cannot be read")
+                     "fallback settings if those of --config cannot be read")
         ->type_name("FILE.toml");
-    command->add_option("--gallery", options->gallery, "where pots are saved, whatever the settings say")
+    command->add_option("--gallery", options->gallery, "the folder for pots, overriding the settings")
         ->type_name("FOLDER");
     add_device_option(*command, options->device);
     add_volume_option(*command, options->volume);
-    add_backend_option(
-        *command, options->backend,
-        "who draws, whatever the settings say: the GPU, the processor, or the GPU where there is "
-        "one (auto); where there is none, gpu is drawn by software, for who looks at it");
+    add_backend_option(*command, options->backend,
+                       "what draws, overriding the settings: the GPU, the processor, or the GPU if there is "
+                       "one (auto); without a GPU, gpu is drawn by software, for testing");
     command->footer(
         "In the window: V shows what the hand feels, F or F11 fills the screen, arrow keys move the hand, "
         "Tab "

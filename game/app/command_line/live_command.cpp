@@ -33,7 +33,7 @@
 namespace onggi::app {
 namespace {
 
-// The forces over a picture that plays by itself. A key turns them on and off.
+// The force view over a replayed picture. A key turns it on and off.
 class LiveForces {
   public:
     explicit LiveForces(bool shown) : shown_(shown) {}
@@ -44,8 +44,8 @@ class LiveForces {
     Result<void> start() { return composer_.start(); }
     void turn_over() { shown_ = !shown_; }
 
-    // Once a frame, shown or not, so that the plots have a past. Null: nothing to lay over the picture. Good
-    // until the next call.
+    // Call it once a frame, shown or not, so that the plots have a history. Returns null when there is no
+    // overlay. Valid until the next call.
     [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
                                               const wheel::LiveView& view, double now_s);
 
@@ -80,7 +80,7 @@ const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const 
     return &overlay_;
 }
 
-// A live run may last as long as a museum's season, but no shorter than a frame.
+// A live run may last months, but not less than a frame.
 constexpr double kLeastSeconds = 0.02;
 constexpr double kMostSeconds = 1e7;
 
@@ -97,7 +97,7 @@ struct LiveOptions {
     std::optional<std::string> stats;
 };
 
-// A live run is watched, not played: besides closing, two keys mean something.
+// A live run has no input but closing and two keys.
 Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const haptic::Snapshot& snapshot) {
     bool stops = false;
     for (const window::Event& event : view.poll_events()) {
@@ -193,23 +193,20 @@ void add_live_command(CLI::App& program, int& exit_status) {
     add_clay_options(*command, options->input);
     add_rate_option(*command, options->input);
     add_number_option(*command, "--seconds", options->seconds, kLeastSeconds, kMostSeconds,
-                      "how long; past its end the gesture starts again on a fresh lump");
+                      "duration; past its end the gesture starts again on a fresh lump");
     command->add_option("--wait", options->wait, "how the haptic loop waits: hybrid or sleep (hybrid)")
         ->type_name("hybrid|sleep")
         ->check(CLI::Validator(check_wait, ""));
     add_device_option(*command, options->device, "gesture");
-    add_number_option(*command, "--volume", options->volume, 0.0, 1.0,
-                      "how loud the wheel is heard, 0 to 1 (0)");
+    add_number_option(*command, "--volume", options->volume, 0.0, 1.0, "volume of the wheel, 0 to 1 (0)");
     command->add_flag("--headless", options->headless, "draw without a window or display");
     command->add_flag("--forces", options->forces,
-                      "begin with the forces shown; in the window, V shows and hides them");
+                      "start with the forces shown; in the window, V shows and hides them");
     add_size_option(*command, options->size);
-    add_backend_option(
-        *command, options->backend,
-        "who draws: the GPU, the processor, or the GPU where there is one (auto); where there is "
-        "none, gpu is drawn by software, for who looks at it");
-    command->add_option("--stats", options->stats, "what ticks and frames cost, and what was missed")
-        ->type_name("F.json");
+    add_backend_option(*command, options->backend,
+                       "what draws: the GPU, the processor, or the GPU if there is one (auto); without a "
+                       "GPU, gpu is drawn by software, for testing");
+    command->add_option("--stats", options->stats, "statistics of ticks and frames")->type_name("F.json");
     command->callback([options, &exit_status] {
         if (options->device != "gesture") {
             if (const auto end = supervise_devices()) {

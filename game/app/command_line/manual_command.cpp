@@ -16,14 +16,13 @@
 namespace onggi::app {
 namespace {
 
-// The command line as a manual page and as words for a shell, made of the same tree that --help is printed
-// from.
+// Makes the manual page and the shell completion from the same tree as --help.
 
 std::vector<const CLI::App*> commands_of(const CLI::App& program) {
     return program.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
 }
 
-// As troff prints it letter by letter: a hyphen that can be copied, a backslash, no line that is a request.
+// Escapes text for troff: hyphens that can be copied, backslashes, and lines that would be requests.
 std::string as_troff(std::string_view text) {
     std::string out;
     bool begins_line = true;
@@ -48,7 +47,7 @@ std::string as_upper(std::string text) {
     return text;
 }
 
-// Help begins sentences small or large, as it is a table; in a page they are sentences.
+// Help texts may start with a small letter, being a table; a manual page has sentences.
 std::string as_sentence(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
     if (!text.empty() && text.back() != '.') text += '.';
@@ -80,7 +79,7 @@ bool is_flag(const CLI::Option& option) {
     return option.get_items_expected_max() == 0;
 }
 
-// "wet|dry|bisque|glaze": the words that an option takes; none where it takes anything else.
+// "wet|dry|bisque|glaze": the words that an option accepts, or empty where it accepts other values.
 std::string words_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     const bool are_words =
@@ -141,7 +140,7 @@ std::string manual_page(const CLI::App& program, const std::string& named, const
     return page;
 }
 
-// What bash completes after "onggi": commands, their options, the words that an option takes, files.
+// The bash completion for "onggi": commands, their options, the words that an option accepts, files.
 std::string bash_completion(const CLI::App& program) {
     std::string commands;
     std::string cases;

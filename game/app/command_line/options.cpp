@@ -19,7 +19,8 @@
 namespace onggi::app {
 namespace {
 
-// The sides a picture may have: below, nothing can be seen; above, no device promises a target.
+// Limits of a picture's sides: smaller ones show nothing; larger render targets are not guaranteed by Vulkan
+// devices.
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 8192;
 
@@ -38,7 +39,7 @@ CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::option
     return command.add_option(name, read, description)->type_name(kind);
 }
 
-// An option whose value is one of a few words, each of which stands for one of T.
+// An option whose value is one of several words, each for one value of T.
 template <typename T, typename Slot>
 CLI::Option* add_choice(CLI::App& command, const std::string& name,
                         const std::vector<std::pair<std::string, T>>& words, Slot& slot,
@@ -82,11 +83,10 @@ void add_input_file(CLI::App& command, InputOptions& options) {
         "within\n"
         "+-1000) is linear between rows; button (0 the wheel stands, 1 it turns) and tool radius (2 to 40) "
         "hold from\n"
-        "their row on. More columns may follow to the right; to the studio clay some of them speak. An "
-        "empty\n"
-        "field is as without the column:\n"
+        "their row on. More columns may follow to the right; the studio clay uses those below. An empty\n"
+        "field is treated like a missing column:\n"
         "  tool             hand, rib, sponge or trimmer\n"
-        "  side             auto, outer, inner or rim: where a hand that comes to the clay means to be\n"
+        "  side             auto, outer, inner or rim: the side that an approaching hand aims at\n"
         "  water            0 dry to 1 dripping: hands that slide, a sponge that gives\n"
         "  wheel_rev_min    0 to 300: speed while the button is 1 (120)\n"
         "  assist_gap_mm    0 to 60: least gap to a second hand, which squeezes on the way up; 0 none\n"
@@ -94,10 +94,10 @@ void add_input_file(CLI::App& command, InputOptions& options) {
         "  wire, wire_y_mm  none, rim (cut it level) or off (cut the pot off), and at which height\n"
         "  hand2_x_mm, hand2_y_mm, hand2_z_mm, and if wanted hand2_radius_mm, hand2_tool: the second hand,\n"
         "                   absent where its place is empty\n"
-        "  guided           0 or 1: x, y are a finger on the upright plane z = 0 through the axis, and two "
-        "skilled\n"
+        "  guided           0 or 1: x, y are a finger on the vertical plane z = 0 through the axis, and two "
+        "simulated\n"
         "                   hands follow it; 0 a ball in the clay (0)\n"
-        "  pressing         0 or 1: hands that do not press are not in the clay, wherever they are (1)\n"
+        "  pressing         0 or 1: hands that do not press do not touch the clay, wherever they are (1)\n"
         "The wheel head is at y = 0; a studio lump of 1000 g is a dome 124 mm wide and 50 mm high.");
 }
 
@@ -181,7 +181,7 @@ void add_view_option(CLI::App& command, wheel::StillView& view, CLI::Option* pic
 
 void add_volume_option(CLI::App& command, std::optional<double>& volume) {
     add_number_option(command, "--volume", volume, 0.0, 1.0,
-                      "how loud the wheel is heard, 0 to 1; 0 opens no sound device (0.5)");
+                      "volume of the wheel, 0 to 1; 0 opens no sound device (0.5)");
 }
 
 CLI::Option* add_backend_option(CLI::App& command, std::optional<render::BackendChoice>& backend,
@@ -204,9 +204,10 @@ CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::
     return command
         .add_option(
             "--device", word,
-            fmt::format("what holds the tool: auto (whatever is plugged in, now or later), {} alone, "
-                        "spacemouse, dualsense, joystick, inverse3, /dev/hidrawN or VENDOR:PRODUCT ({})",
-                        first, word))
+            fmt::format(
+                "the device that holds the tool: auto (any that is plugged in, now or later), {} alone, "
+                "spacemouse, dualsense, joystick, inverse3, /dev/hidrawN or VENDOR:PRODUCT ({})",
+                first, word))
         ->type_name("DEVICE")
         ->check(CLI::Validator(known, ""));
 }

@@ -1,4 +1,4 @@
-// Options that several commands have, with their bounds said once. Main thread.
+// Options shared by several commands, with their bounds. Main thread.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 #include "game/clay/studio/pot.h"
 #include "game/wheel/still.h"
 
-// Named only: the whole of CLI11 takes g++ ten seconds, so only the files that register options include it.
+// Only declared: including CLI11 costs ten seconds of compile time, so only files that register options
+// include it.
 namespace CLI {
 class App;
 class Option;
@@ -18,20 +19,21 @@ namespace onggi::app {
 
 // A pot to throw on instead of a fresh lump (performance.h).
 struct StartPot {
-    std::optional<std::string> on = {};      // a session: its pot is put back on the wheel
-    std::optional<std::string> joined = {};  // another: its pot is turned upside down and joined rim to rim
-    std::optional<double> mouth_mm = {};     // the opening cut into the joined pot, inside
+    std::optional<std::string> on = {};  // a session: its pot is put back on the wheel
+    std::optional<std::string> joined =
+        {};  // another session: its pot is turned upside down and joined rim to rim
+    std::optional<double> mouth_mm = {};  // the opening cut into the joined pot, inside
 };
 
-// What to throw: a hand, and for a gesture the rate and the clay it does not bring itself.
+// What to throw: a hand's path, and for a gesture the rate and the clay, which its file does not contain.
 struct InputOptions {
     std::string file;  // a gesture or a session, told apart by content
     std::optional<double> rate_hz = {};
     std::optional<int> element_count = {};
-    std::optional<std::string> clay = {};     // "studio" unless it says "paper"
+    std::optional<std::string> clay = {};     // "studio" (the default) or "paper"
     std::optional<double> clay_mass_g = {};   // of a studio lump
-    std::optional<clay::ClayBody> body = {};  // of the same; stoneware unless it says otherwise
-    std::optional<std::string> wheel = {};    // "electric" unless it says "kick"
+    std::optional<clay::ClayBody> body = {};  // of a studio lump; default stoneware
+    std::optional<std::string> wheel = {};    // "electric" (the default) or "kick"
     bool forgiving = false;                   // the wheel slows before the clay gives way
     StartPot start = {};                      // in place of a lump
 };
@@ -41,26 +43,26 @@ struct PictureSize {
     int height = 720;
 };
 
-// The file, as the command's one word without dashes.
+// The input file, the command's positional argument.
 void add_input_file(CLI::App& command, InputOptions& options);
 void add_rate_option(CLI::App& command, InputOptions& options);  // --rate HZ
 // --clay, --elements, --clay-mass, --body, --wheel, --forgiving
 void add_clay_options(CLI::App& command, InputOptions& options);
 void add_start_pot_options(CLI::App& command, StartPot& options);  // --on, --join, --mouth
-// --fired STAGE, which is `what`
+// --fired STAGE; `what` is its help text
 void add_firing_option(CLI::App& command, clay::Firing& stage, const std::string& what);
 CLI::Option* add_size_option(CLI::App& command, PictureSize& size);  // --size WxH
 // --volume, 0 to 1; 0: no sound device is opened at all.
 void add_volume_option(CLI::App& command, std::optional<double>& volume);
-// --backend: who draws.
+// --backend: the renderer.
 CLI::Option* add_backend_option(CLI::App& command, std::optional<render::BackendChoice>& backend,
                                 const std::string& description);
-// --device: a word that names_a_device(), or `first`, what the first hand is called here.
+// --device: a device accepted by names_a_device(), or `first`, the name of the first hand here.
 CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::string& first = "mouse");
-// --view; it needs `picture`, the option that asks for one.
+// --view; it needs `picture`, the option that requests a picture.
 void add_view_option(CLI::App& command, wheel::StillView& view, CLI::Option* picture);
 
-// An option with a plain decimal number within bounds: no hexadecimal, no "nan", whatever the locale.
+// An option with a decimal number within bounds: no hexadecimal, no "nan", independent of the locale.
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, std::optional<double>& number,
                                double least, double most, const std::string& description);
 

@@ -14,7 +14,7 @@
 namespace onggi::app {
 namespace {
 
-// Enough of a file to tell its kind, and to refuse one that is neither.
+// Enough bytes to recognise a gesture or a session and to refuse anything else.
 constexpr std::size_t kStartBytes = haptics::kMaxGestureLineBytes + 2;
 
 Result<void> check_brings_its_own(const InputOptions& options) {
@@ -101,7 +101,7 @@ Result<Performance> load_performance(const InputOptions& options) {
     const auto start = files::read_file_start(options.file, kStartBytes);
     if (!start) return start.error();
     if (record::opens_a_session(*start)) return performance_of_session(options);
-    // A gigabyte of something else is refused by its first line, unread.
+    // Refuses a large file of another kind by its first line, without reading the rest.
     if (auto gesture = haptics::check_gesture_start(*start, options.file, haptic::kGestureWords); !gesture)
         return gesture.error();
     return performance_of_gesture(options);
@@ -109,7 +109,7 @@ Result<Performance> load_performance(const InputOptions& options) {
 
 namespace {
 
-// The pot at the end of a session, back on the wheel.
+// The pot at the end of a session, put back on the wheel.
 Result<clay::StudioClay> pot_left_by(const std::string& file) {
     auto loaded = load_session(file);
     if (!loaded) return loaded.error();

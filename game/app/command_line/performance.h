@@ -1,5 +1,5 @@
-// A performance: a start, a hand and how long it plays, from a gesture or a session. What `throw`, `live`
-// and `replay` have in common. Main thread.
+// A performance: a start, a hand's path and its duration, from a gesture or a session. Shared by `throw`,
+// `live` and `replay`. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -20,19 +20,19 @@ struct Performance {
     haptic::Start start;
     std::uint64_t tick_count = 0;
     std::unique_ptr<haptics::HapticDevice> hand;
-    std::optional<std::string> remark;  // for the user: that a session was cut short
+    std::optional<std::string> remark;  // for the user, when a session was cut short
 };
 
-// The file's performance. Whether it is a gesture or a session is seen by its first bytes, not by its name.
-// Bad input: what the parsers refuse; a rate or a clay given with a session, which brings its own.
+// The file's performance. Its first bytes, not its name, decide between gesture and session. Bad input: the
+// parsers' errors; a rate or a clay given with a session, which contains both.
 [[nodiscard]] Result<Performance> load_performance(const InputOptions& options);
 
-// The lump and the parameters that these options ask for, whatever their file. Bad input: an option that the
-// clay does not have.
+// The lump and the parameters of these options, without their file. Bad input: an option that the clay does
+// not have.
 [[nodiscard]] Result<haptic::Start> fresh_start(const InputOptions& options);
 
-// What a gesture of the studio clay is thrown on when it is not a fresh lump: the pot that a session left, or
-// two of them joined. Nothing where none is asked for. The sessions are replayed to their end. Bad input:
+// The start pot of a gesture in studio clay in place of a fresh lump: the pot that a session left, or two of
+// them joined. Returns no pot where the options name none. Replays the sessions to their end. Bad input:
 // --join without --on, a session of the paper's clay, one that is damaged, pots that cannot be joined.
 [[nodiscard]] Result<std::optional<clay::StudioClay>> start_pot(const StartPot& options);
 

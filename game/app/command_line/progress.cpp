@@ -9,7 +9,7 @@
 namespace onggi::app {
 namespace {
 
-// Work shorter than this needs no progress, and a line rewritten more often cannot be read.
+// Shorter work needs no progress line, and more frequent updates are unreadable.
 constexpr std::chrono::milliseconds kBetween{200};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How far long work has come, on a terminal; in a pipe or a file, nothing. Main thread.
+// Shows the progress of long work on a terminal, and nothing in a pipe or a file. Main thread.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace onggi::app {
 
-// One line on stderr that is rewritten a few times a second and gone at the end. Plain text: no colours.
+// One line on stderr, rewritten a few times a second and erased at the end. Plain text without colours.
 class Progress {
   public:
     Progress(std::string doing, std::uint64_t of);
@@ -15,12 +15,12 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
     ~Progress();
 
-    // Cheap enough for every tick: looks at the clock once in a thousand calls.
+    // Cheap enough for every tick: reads the clock once in a thousand calls.
     void reached(std::uint64_t done) {
         if (shown_ && ++calls_ % 1024 == 0) show(done);
     }
 
-    // The same for calls that are rare, such as frames: looks at the clock each time.
+    // The same for rare calls, such as frames: reads the clock each time.
     void reached_rarely(std::uint64_t done) {
         if (shown_) show(done);
     }
@@ -32,7 +32,7 @@ class Progress {
     std::uint64_t of_;
     bool shown_;
     std::uint64_t calls_ = 0;
-    std::size_t width_ = 0;  // of what stands on the line
+    std::size_t width_ = 0;  // of the printed line
     std::chrono::steady_clock::time_point last_;
 };
 

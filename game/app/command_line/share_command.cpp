@@ -3,10 +3,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "engine/core/quote.h"
@@ -33,10 +35,10 @@ struct ShareOptions {
     std::string counter;
 };
 
-constexpr int kRoundMs = 500;  // between two looks at whether to end
+constexpr int kRoundMs = 500;  // between two checks of the end signal
 
-// Takes the process over with nothing but what the server needs, so that no word of the settings - the
-// staff's PIN is one - is left in the memory that answers strangers. Returns only where it cannot.
+// Executes the program again with only the arguments that the server needs, so that no setting, such as the
+// staff's PIN, stays in the memory of a process that answers strangers. Returns only on failure.
 Result<void> start_over(const kiosk::Config& config) {
     std::vector<std::string> words{"onggi",    "share",
                                    "--outbox", config.sharing.outbox,
@@ -64,23 +66,33 @@ Result<void> read_settings_and_start_over(const std::string& file) {
     return start_over(*config);
 }
 
-// Where it runs beside a wheel, the picture goes first and the haptic thread's core is not touched. A refusal
-// costs phones nothing, so nobody is told.
+// Beside a wheel, the picture has priority and the haptic thread's core stays free. A refusal does no harm to
+// phones, so it is not reported.
 void stand_back() {
-    constexpr int kPicturesFirst = 10;  // as nice(1): a tenth of a core's claim
+    constexpr int kPicturesFirst = 10;  // nice level, about a tenth of the normal share of a core
     static_cast<void>(::setpriority(PRIO_PROCESS, 0, kPicturesFirst));
     static_cast<void>(jobs::keep_this_thread_off_haptic_core(jobs::choose_haptic_core()));
 }
 
-Result<void> serve(const ShareOptions& options) {
+// The kiosk makes its outbox when it starts, which may be after this server.
+Result<void> wait_for_folder(const std::string& folder) {
     std::error_code error;
-    if (!std::filesystem::is_directory(options.outbox, error)) {
-        return bad_input(
-            fmt::format("{}: expected a folder of shared pots, found none", shown_path(options.outbox)));
-    }
+    if (!std::filesystem::exists(folder, error))
+        remark(fmt::format("sharing: {}: waiting for the folder of shared pots", shown_path(folder)));
+    while (!std::filesystem::exists(folder, error) && !end_was_asked())
+        std::this_thread::sleep_for(std::chrono::milliseconds(kRoundMs));
+    if (end_was_asked() || std::filesystem::is_directory(folder, error)) return {};
+    return bad_input(
+        fmt::format("{}: expected a folder of shared pots, found something else", shown_path(folder)));
+}
+
+Result<void> serve(const ShareOptions& options) {
     stand_back();
-    std::signal(SIGPIPE, SIG_IGN);  // a phone that goes away in the middle is nothing special
+    std::signal(SIGPIPE, SIG_IGN);  // a phone may disconnect during an answer
     note_end_signals();
+    if (const auto there = wait_for_folder(options.outbox); !there) return there;
+    if (end_was_asked()) return {};
+    std::error_code error;
     const auto listening = listen_at(options.listen, options.port);
     if (!listening) return listening.error();
     const bool counts = !options.counter.empty() && std::filesystem::exists(options.counter, error);
@@ -106,22 +118,22 @@ Result<void> serve(const ShareOptions& options) {
 
 void add_share_command(CLI::App& program, int& exit_status) {
     CLI::App* command = program.add_subcommand(
-        "share", "Serve the pots that visitors take home by phone, in a process that can do nothing else");
+        "share", "Serve the pots that visitors take home by phone, in a confined process");
     const auto options = std::make_shared<ShareOptions>();
     auto* config = command->add_option("--config", options->config,
-                                       "settings of the kiosk, whose [sharing] says all the rest");
+                                       "settings of the kiosk; [sharing] has all the others");
     config->type_name("FILE.toml");
-    auto* outbox = command->add_option("--outbox", options->outbox, "the folder with a page a pot");
+    auto* outbox = command->add_option("--outbox", options->outbox, "the folder with a page for each pot");
     outbox->type_name("FOLDER")->excludes(config);
     auto* listen = command->add_option("--listen", options->listen,
                                        "address or interface of this machine, such as 10.0.0.5 or wlan0");
     listen->type_name("ADDRESS")->excludes(config)->needs(outbox);
     outbox->needs(listen);
-    command->add_option("--port", options->port, "0: any that is free")
+    command->add_option("--port", options->port, "0: any free port")
         ->check(CLI::Range(0, 65535))
         ->excludes(config)
         ->capture_default_str();
-    command->add_option("--counter", options->counter, "a pipe that is told how often pages are opened")
+    command->add_option("--counter", options->counter, "a pipe that counts opened pages")
         ->type_name("PIPE")
         ->excludes(config);
     command->callback([options, &exit_status] {

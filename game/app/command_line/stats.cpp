@@ -44,16 +44,16 @@ std::string_view name_of(clay::studio::Cause cause) {
     return "none";
 }
 
-// The pot's measures at a stage, as an export's extras have them: lengths, capacity, mass, walls, ledger.
+// The pot's measures at a stage, as in an export's extras: lengths, capacity, mass, walls, ledger.
 nlohmann::ordered_json pot_json(const clay::StudioClay& clay, clay::Firing stage) {
     nlohmann::ordered_json pot;
-    // clang 14 takes no structured binding into a lambda.
+    // clang 14 cannot capture structured bindings in a lambda.
     for (const auto& extra : exporter::pot_extras(clay, stage))
         std::visit([&](const auto& one) { pot[extra.first] = one; }, extra.second);
     return pot;
 }
 
-// What the studio's clay knows of itself; the failure is a sentence, or null while it stands.
+// The studio clay's statistics; the failure is a sentence, or null while the pot stands.
 void add_studio_stats(nlohmann::ordered_json& stats, const clay::StudioClay& clay) {
     const auto pot = clay::measure_pot(clay.rings(), clay.lump().body);
     stats["mass_g"] = pot.mass_g;

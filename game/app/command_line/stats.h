@@ -10,17 +10,17 @@
 
 namespace onggi::app {
 
-// {p50, p99, p999, max} of what a histogram counted, divided by `unit` (1000: us from ns).
+// {p50, p99, p999, max} of a histogram, divided by `unit` (1000: us from ns).
 [[nodiscard]] nlohmann::ordered_json percentiles(const jobs::Histogram& histogram, double unit = 1.0);
 
-// The fields that every run has: ticks, tick_ns, rate_hz, clay_volume_mm3, ledger_error (a fraction of the
-// lump; null: the paper's clay keeps no ledger); of the studio's clay also mass, height, widest diameter,
-// floor, walls, capacity, where its clay went, how many rings it has, the load and a failure's sentence, and
-// all measures wet and glaze-fired (exporter/studio_export.h).
+// The fields of every run: ticks, tick_ns, rate_hz, clay_volume_mm3, ledger_error (a fraction of the lump;
+// null: the paper's clay keeps no ledger); for the studio clay also mass, height, widest diameter, floor,
+// walls, capacity, its clay ledger, the number of rings, the load and a failure's sentence, and all measures
+// wet and glaze-fired (exporter/studio_export.h).
 [[nodiscard]] nlohmann::ordered_json common_stats(std::uint64_t ticks, const jobs::Histogram& tick_ns,
                                                   double rate_hz, const haptic::HapticState& state);
 
-// What there is of a live run besides.
+// The additional fields of a live run.
 [[nodiscard]] nlohmann::ordered_json live_stats(const LiveReport& report);
 
 }  // namespace onggi::app

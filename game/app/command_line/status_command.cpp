@@ -52,22 +52,21 @@ Result<bool> tell(const StatusOptions& options) {
 
 void add_status_command(CLI::App& program, int& exit_status) {
     CLI::App* command = program.add_subcommand(
-        "status", "Say how a kiosk fares, for the house's monitoring: health, today's visits, last faults");
+        "status", "Report a kiosk's state to monitoring: health, today's visits, last faults");
     const auto options = std::make_shared<StatusOptions>();
     command->add_flag("--json", options->json, "as one JSON object");
     command
-        ->add_option(
-            "--config", options->config,
-            fmt::format("settings of the kiosk; without it those in {}, if there are any", kUsualSettings))
+        ->add_option("--config", options->config,
+                     fmt::format("settings of the kiosk; default: those in {}, if present", kUsualSettings))
         ->type_name("FILE.toml");
-    command->add_option("--gallery", options->gallery, "where its pots are, whatever the settings say")
+    command->add_option("--gallery", options->gallery, "the folder of its pots, overriding the settings")
         ->type_name("FOLDER");
     command->footer(
-        "It reads what the kiosk leaves on the disk once a minute, and asks nobody: while the kiosk runs, "
-        "when "
-        "it is\ndown, as root or a user of the kiosk's group.\n"
-        "Exit codes: 0 the kiosk runs and is well; 1 it does not, or is not; 2 wrong settings or a damaged "
-        "file; 3 its\nfiles may not be read.");
+        "It reads the status file that the kiosk writes once a minute and sends no request to the kiosk, so "
+        "it\n"
+        "also works while the kiosk is down. Run it as root or as a user of the kiosk's group.\n"
+        "Exit codes: 0 the kiosk runs and is well; 1 it does not run or is not well; 2 wrong settings or a "
+        "damaged\nfile; 3 its files may not be read.");
     command->callback([options, &exit_status] {
         const auto well = tell(*options);
         exit_status = well ? (*well ? 0 : 1) : report(well.error());

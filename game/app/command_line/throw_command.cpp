@@ -61,8 +61,8 @@ Result<std::string> throw_pot(ThrowOptions options) {
 void add_target_option(CLI::App& command, std::optional<std::string>& id) {
     command
         .add_option("--target", id,
-                    "score the fired pot beside a museum's, or beside the one nearest in shape; an unknown "
-                    "name lists those there are")
+                    "score the fired pot against a museum's, or against the one nearest in shape; an unknown "
+                    "name lists all")
         ->type_name("ID|nearest");
 }
 
@@ -81,19 +81,19 @@ void add_throw_command(CLI::App& program, int& exit_status) {
         return command->add_option(name, place, description)->type_name(kind);
     };
     ThrowOutputs& outputs = options->outputs;
-    add_output("--profile", outputs.profile, "F.csv", "the pot's outline, one row an element");
-    add_output("--forces", outputs.forces, "F.csv", "the forces, one row a tick");
+    add_output("--profile", outputs.profile, "F.csv", "the pot's outline, one row per element");
+    add_output("--forces", outputs.forces, "F.csv", "the forces, one row per tick");
     add_output("--export", outputs.model, "F.glb|F.stl|F.3mf", "the pot as a solid");
     CLI::Option* screenshot =
         add_output("--screenshot", outputs.screenshot, "F.png", "a picture; needs Vulkan");
     add_size_option(*command, outputs.size)->needs(screenshot);
-    command->add_flag("--beauty", outputs.beauty, "the picture as the mean of many: finer, and slower")
+    command
+        ->add_flag("--beauty", outputs.beauty, "the picture as the mean of many samples: finer, and slower")
         ->needs(screenshot);
     add_view_option(*command, outputs.view, screenshot);
-    add_backend_option(
-        *command, outputs.backend,
-        "who draws the picture: the GPU, or software in its place (gpu, auto); or the processor, "
-        "as the live window of a machine without one: quicker, and coarser")
+    add_backend_option(*command, outputs.backend,
+                       "what draws the picture: the GPU, or software in its place (gpu, auto); or the "
+                       "processor, as in the live window without a GPU: faster, and coarser")
         ->needs(screenshot);
     add_firing_option(*command, outputs.stage, "the stage that --export and --screenshot show");
     add_target_option(*command, options->target);

@@ -30,13 +30,13 @@
 namespace onggi::app {
 namespace {
 
-// A pot scored beside the museum's that was chosen, or that is nearest by shape.
+// The score of a pot against a museum's pot: the chosen one, or the nearest by shape.
 struct TargetScore {
-    std::string text;  // for a person, a line a measure
+    std::string text;  // for a person, one line per measure
     nlohmann::ordered_json json;
 };
 
-// Precondition: clay on the wheel.
+// Precondition: there is clay on the wheel.
 TargetScore score_beside(const TargetChoice& choice, const clay::StudioClay& clay) {
     const heritage::PotForm form = heritage::form_of(clay);
     const heritage::Nearest nearest = heritage::nearest(form, choice.targets);
@@ -75,10 +75,11 @@ TargetScore score_beside(const TargetChoice& choice, const clay::StudioClay& cla
     return result;
 }
 
-// The tables that `throw` writes: profile and forces as CSV, nine significant digits whatever the locale.
+// The tables that `throw` writes: profile and forces as CSV, with nine significant digits, independent of the
+// locale.
 
 void append(std::string& table, double number) {
-    // Adding 0 turns -0 into 0: a force of nothing has no sign to show.
+    // Adding 0 turns -0 into 0: a zero force is printed without a sign.
     fmt::format_to(std::back_inserter(table), ",{:.9g}", number + 0.0);
 }
 
@@ -120,15 +121,15 @@ std::string profile_of(const clay::PaperClay& clay) {
     return table;
 }
 
-// y_mm,outer_mm, and of the studio's clay inner_mm (0 where it is solid): one row an element or ring, bottom
+// y_mm,outer_mm, and for the studio clay inner_mm (0 where it is solid): one row per element or ring, bottom
 // first; y is its middle.
 std::string profile_table(const haptic::HapticState& state) {
     return std::visit([](const auto& clay) { return profile_of(clay); }, state.clay);
 }
 
-// The header line of the forces, with its end: of the first hand; of the studio's clay also its side (free,
-// outer, inner or rim), how many rings the second hand or the assist touches, the wheel's speed, the hands'
-// friction on it, and the largest load index.
+// The header line of the forces with its line break. The columns are the first hand's; for the studio clay
+// also its side (free, outer, inner or rim), the number of rings that the second hand or the assist touches,
+// the wheel's speed, the hands' friction on it, and the largest load index.
 std::string forces_header(const haptic::HapticState& state) {
     std::string header = "tick,t_s,contacts,fs_x_N,fs_y_N,fs_z_N,fv_x_N,fv_y_N,fv_z_N,ff_x_N,ff_y_N,ff_z_N";
     if (state.studio() != nullptr) {
@@ -235,12 +236,12 @@ Result<void> check_outputs(const ThrowOutputs& outputs) {
                               outputs.session, outputs.stats}) {
         if (!place) continue;
         if (auto checked = files::check_output_place(*place); !checked) return checked;
-        // Absolute first: what is not there yet would otherwise stay as it was written.
+        // Makes the path absolute first, because weakly_canonical() leaves a missing relative path relative.
         std::error_code ignored;
         const auto absolute = std::filesystem::absolute(*place, ignored);
         if (!places.insert(std::filesystem::weakly_canonical(absolute, ignored)).second) {
             return bad_input(
-                fmt::format("{}: expected a file of its own for each output, found two for this one",
+                fmt::format("{}: expected a separate file for each output, found two outputs for this one",
                             shown_path(*place)));
         }
     }
@@ -296,7 +297,7 @@ Result<std::string> OutputWriter::finish(const haptic::HapticState& state, const
                                          const jobs::Histogram& tick_ns) {
     Result<void> done;
     const pot::Pot pot = haptic::pot_of(state);
-    // The picture first: it is what may be missing its device.
+    // The picture is first, because its device may be missing.
     std::optional<asset::Image> picture;
     if (outputs_.screenshot) {
         auto drawn = picture_of(outputs_, state, last, parameters_, pot);

@@ -1,5 +1,5 @@
-// What `onggi throw` leaves behind: each file whole or not at all, and none if any of them fails.
-// Main thread; blocks.
+// The output files of `onggi throw`: each complete or absent, and none if any of them fails. Main thread;
+// blocks.
 #pragma once
 
 #include <cstddef>
@@ -21,15 +21,15 @@
 
 namespace onggi::app {
 
-// `throw --target`: the museum's pots to score a thrown one beside. All targets, and the one chosen; none:
-// the nearest by shape, once the pot is there.
+// `throw --target`: the museum's pots to score a thrown pot against. All targets, and the chosen one; without
+// a choice, the nearest by shape.
 struct TargetChoice {
     std::vector<heritage::Target> targets;
     std::optional<std::size_t> chosen;
 };
 
-// Reads the targets from the assets where an id is given, "nearest" included. Bad input listing those known
-// for another; system lacks where there are no assets.
+// Reads the targets from the assets if an id or "nearest" is given. Bad input: an unknown id, with the list
+// of known ones; system lacks: no assets.
 [[nodiscard]] Result<std::optional<TargetChoice>> find_target_choice(const std::optional<std::string>& id);
 
 struct ThrowOutputs {
@@ -41,33 +41,32 @@ struct ThrowOutputs {
     std::optional<std::string> stats;       // .json
     PictureSize size;
     wheel::StillView view = wheel::StillView::kThrowing;  // that the screenshot shows
-    bool beauty = false;                                  // the screenshot as the mean of many
+    bool beauty = false;                                  // the screenshot is the mean of many pictures
     std::optional<render::BackendChoice> backend = {};    // that draws it; cpu: as the live window does
     clay::Firing stage = clay::Firing::kWet;              // that model and screenshot show
     std::optional<TargetChoice> target;                   // to score the pot beside
 };
 
-// Before the work: whether every output has an ending that can be written and a place of its own where it can
-// be written.
+// Checks before the work that every output has a supported extension and its own writable place.
 [[nodiscard]] Result<void> check_outputs(const ThrowOutputs& outputs);
 
-// The pot on the wheel as a file of that kind, whichever clay it is of; the stage is the studio clay's. A 3MF
-// shows the picture, if there is one.
+// The pot on the wheel as a file of that kind, in either clay; the stage applies to the studio clay. A 3MF
+// includes the picture, if there is one.
 [[nodiscard]] Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state,
                                                          exporter::ExportKind kind,
                                                          clay::Firing stage = clay::Firing::kWet,
                                                          const asset::Image* picture = nullptr);
 
-// Takes the ticks as they come, and writes everything at the end.
+// Collects the ticks and writes the files at the end.
 class OutputWriter {
   public:
-    // Opens what is written while the pot is thrown.
+    // Opens the files that are written while the pot is thrown.
     [[nodiscard]] static Result<OutputWriter> create(const ThrowOutputs& outputs, const haptic::Start& start);
 
     // `state` is the one after the tick.
     Result<void> add_tick(const haptic::HapticState& state, const haptic::TickResult& result);
-    // Everything is made and synced before the first file takes its place. Gives what is to be said of the
-    // pot: its score, where a target was chosen.
+    // Creates and syncs all files before the first one is renamed into place. Returns the text to print: the
+    // score, where a target was chosen.
     Result<std::string> finish(const haptic::HapticState& state, const haptic::TickResult& last,
                                const jobs::Histogram& tick_ns);
 

@@ -57,7 +57,7 @@ Result<haptics::HidDeviceInfo> find(const std::string& word) {
             driven += (driven.empty() ? "" : ", ") + device.path + " " + numbers;
     }
     return system_lacks(fmt::format("--device {}: expected it to be plugged in, found {}", word,
-                                    driven.empty() ? "no device that is driven here" : driven));
+                                    driven.empty() ? "no supported device" : driven));
 }
 
 // In a few words: what a person who never saw it wants to know.

@@ -20,13 +20,13 @@ std::optional<int> supervise_devices() {
     return jobs::supervise([](int signal) {
         const int count = haptics::let_go_of_all();
         if (signal == 0) return;  // the program has said itself why it ended
-        warn(fmt::format("the program died of signal {}; {} told to let go", signal,
+        warn(fmt::format("the program died of signal {}; {} silenced", signal,
                          count == 1 ? std::string("1 device was") : fmt::format("{} devices were", count)));
         const auto kept = keep_crash_session();
         if (!kept) {
             warn(kept.error().message);
         } else if (*kept) {
-            warn(fmt::format("crash: kept as {}, which onggi replay works out again", (*kept)->string()));
+            warn(fmt::format("crash: session kept as {}, for onggi replay", (*kept)->string()));
         }
     });
 }

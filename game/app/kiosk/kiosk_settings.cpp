@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostTextBytes = std::size_t{1} << 20U;
 
+// The words of the museum's own table, or the built-in ones where it has none or a bad one.
 Result<kiosk::Language> language_of(const std::string& code, const fs::path& folder,
                                     std::vector<std::string>& remarks) {
     const auto& built_in = kiosk::built_in_languages();
@@ -28,14 +29,15 @@ Result<kiosk::Language> language_of(const std::string& code, const fs::path& fol
     std::error_code error;
     if (!folder.empty() && fs::exists(file, error)) {
         const auto table = files::read_file(file, kMostTextBytes);
-        if (!table) return table.error();
-        auto language = kiosk::Language::read(*table, code, file.string(), &built_in.front());
+        auto language = table ? kiosk::Language::read(*table, code, file.string(), &built_in.front())
+                              : Result<kiosk::Language>(table.error());
         if (language && !language->missing_keys().empty()) {
             remarks.push_back(fmt::format(
                 "{}: expected every text, found {} missing, the first {}; English stands in", file.string(),
                 language->missing_keys().size(), language->missing_keys().front()));
         }
-        return language;
+        if (language || found == built_in.end()) return language;
+        remarks.push_back(language.error().message + "; the built-in words stand in");
     }
     if (found != built_in.end()) return *found;
     return bad_input(fmt::format("languages: expected a table {} for '{}', found none",
@@ -123,11 +125,15 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     std::vector<kiosk::Language> languages;
     for (const std::string& code : config.languages.order) {
         auto language = language_of(code, config.languages.folder, settings.remarks);
-        if (!language) return language.error();
+        if (!language) {
+            settings.remarks.push_back(language.error().message + "; the kiosk goes on without it");
+            continue;
+        }
         languages.push_back(std::move(*language));
         if (code == config.languages.first)
             settings.rules.default_language = static_cast<int>(languages.size()) - 1;
     }
+    if (languages.empty()) languages.push_back(kiosk::built_in_languages().front());
     settings.rules.language_count = static_cast<int>(languages.size());
     settings.languages = std::make_shared<const std::vector<kiosk::Language>>(std::move(languages));
 

@@ -19,12 +19,12 @@
 namespace onggi::app {
 namespace {
 
-// Every picture is packed in each of them while it is there, a dozen ms each: to draw all of them again for
-// another quality would cost more.
+// Each picture is packed in all of these qualities when it is drawn, some 12 ms each: drawing all pictures
+// again for another quality would cost more.
 constexpr std::array kQualities{90.0, 75.0, 50.0, 25.0};
 constexpr std::uint64_t kTicksASlice = 2000;
 constexpr double kStillAt =
-    0.8;  // of the pictures of the making: hands at a pot that can be told by its shape
+    0.8;  // as a fraction of the making's pictures: hands at a pot with a recognisable shape
 constexpr double kStillQuality = 75.0;
 
 dvec2 turned(const dvec2& direction, double turns) {
@@ -47,7 +47,7 @@ std::vector<FilmPicture> film_plan(std::uint64_t tick_count, double seconds) {
     std::vector<FilmPicture> plan;
     plan.reserve(count);
     for (std::uint64_t picture = 0; picture < count - turning; ++picture) {
-        // In whole numbers, and without a product that a long session could overflow.
+        // Uses integers, without a product that overflows in a long session.
         plan.push_back({.ticks = tick_count / steps * picture + tick_count % steps * picture / steps});
     }
     for (std::uint64_t picture = 0; picture < turning; ++picture) {
@@ -76,14 +76,14 @@ struct FilmMaker::Parts {
     asset::Image still;
     const finish::GlazeMaterial* glaze = nullptr;  // null: the body's own
     decoration::Recorded decoration;
-    std::optional<look::DressedMarks> dressed;  // as soon as it is shown
+    std::optional<look::DressedMarks> dressed;  // set when it is first shown
 
     [[nodiscard]] std::size_t pictures_of_the_making() const {
         const auto first =
             std::find_if(plan.begin(), plan.end(), [](const FilmPicture& one) { return one.is_finished; });
         return static_cast<std::size_t>(first - plan.begin());
     }
-    // Of a film without a making, the pot.
+    // The index of the still's picture, which shows the finished pot in a film without a making.
     [[nodiscard]] std::size_t place_of_still() const {
         return static_cast<std::size_t>(kStillAt * static_cast<double>(pictures_of_the_making()));
     }

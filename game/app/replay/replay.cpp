@@ -53,7 +53,7 @@ std::optional<Difference> compare_decoration(const decoration::Recorded& recorde
     const auto canvas = decoration::Canvas::of(wall_of(pot), recorded.strokes);
     if (!canvas) return Difference{.what = canvas.error().message, .after_all = true};
     if (canvas->texture().hash() == recorded.texture_hash) return std::nullopt;
-    return Difference{.what = "what its strokes come to is not what was recorded", .after_all = true};
+    return Difference{.what = "its strokes give another texture than recorded", .after_all = true};
 }
 
 }  // namespace

@@ -12,27 +12,27 @@
 
 namespace onggi::app {
 
-// Where a replay first differs from its recording.
 struct Difference {
-    std::uint64_t first_tick = 0;  // it differs at this tick at the earliest
-    std::uint64_t last_tick = 0;   // and at this one at the latest; the same if it is known exactly
+    std::uint64_t first_tick = 0;  // the first possible tick of the difference
+    std::uint64_t last_tick = 0;   // the last possible one; equal if known exactly
     std::string what;
-    bool after_all = false;  // every tick is as recorded; what was done to the pot later is not
+    bool after_all = false;  // every tick is as recorded, but the work on the pot after them differs
 };
 [[nodiscard]] std::string sentence_for(const Difference& difference);
 
 class Replay {
   public:
-    // The session must outlive the replay and stay where it is.
+    // The session must outlive the replay at a fixed address.
     Replay(const record::Session& session, haptic::Start start);
 
     [[nodiscard]] bool is_over() const { return ticks_ == session_.tick_count(); }
-    // The next tick. Nothing: it is as recorded, and so are all before it. Precondition: !is_over().
+    // Simulates the next tick. Returns nothing if it and all before it are as recorded. Precondition:
+    // !is_over().
     [[nodiscard]] std::optional<Difference> step();
-    // That the start is another one than was recorded; nothing: it is the same.
+    // Returns a difference if the start differs from the recorded one.
     [[nodiscard]] std::optional<Difference> compare_start() const;
 
-    [[nodiscard]] std::uint64_t ticks() const { return ticks_; }  // simulated so far
+    [[nodiscard]] std::uint64_t ticks() const { return ticks_; }  // number simulated
     [[nodiscard]] const haptic::HapticState& state() const { return start_.state; }
     [[nodiscard]] const haptic::HapticParameters& parameters() const { return start_.parameters; }
     [[nodiscard]] const haptic::TickResult& last() const { return last_; }
@@ -46,8 +46,8 @@ class Replay {
     std::size_t block_ = 0;
 };
 
-// The whole of it: the force of every tick is compared, the state wherever its hash is stored, and what the
-// strokes come to on the pot that is left. `reached`, if any, is told of every tick.
+// Replays the whole session: compares the force of every tick, the state wherever its hash is stored, and the
+// decoration of the strokes on the final pot. Calls `reached`, if set, after every tick.
 [[nodiscard]] std::optional<Difference> find_difference(
     const record::Session& session, haptic::Start start, const decoration::Recorded& decoration = {},
     const std::function<void(std::uint64_t)>& reached = {});

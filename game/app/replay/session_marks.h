@@ -1,4 +1,4 @@
-// The decoration that a session holds, on the pot that its ticks left. Any thread.
+// The decoration recorded in a session, for the pot after its last tick. Any thread.
 #pragma once
 
 #include <string>
@@ -10,11 +10,12 @@
 
 namespace onggi::app {
 
-// No strokes where it holds none. Bad input: decoration::recorded_from(); `name` stands for the file.
+// Returns no strokes where it has none. Bad input: as decoration::recorded_from(); `name` is the file's name
+// in messages.
 [[nodiscard]] Result<decoration::Recorded> decoration_in(const record::Session& session,
                                                          const std::string& name);
 
-// A pot's outer wall, to be drawn on. Precondition: it has rings.
+// A pot's outer wall, for drawing on it. Precondition: it has rings.
 [[nodiscard]] decoration::Wall wall_of(const pot::Pot& pot);
 
 }  // namespace onggi::app

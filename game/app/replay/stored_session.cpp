@@ -23,7 +23,7 @@ Result<LoadedSession> load_session(const std::string& file) {
     const auto first_bytes = files::read_file_start(file, record::kMagic.size());
     if (!first_bytes) return first_bytes.error();
     if (!record::opens_a_session(*first_bytes)) {
-        // The parser says it in its own words, and needs no more of the file for it.
+        // The parser reports the error, and needs no more of the file for it.
         return record::parse_session(*first_bytes, file).error();
     }
     auto bytes = files::read_file(file, record::kMaxSessionBytes);
@@ -38,7 +38,7 @@ Result<LoadedSession> load_session(const std::string& file) {
     auto decoration = decoration_in(*session, file);
     if (!decoration) return decoration.error();
     record::SessionHeader of_start = haptic::session_header(*start);
-    of_start.start_state_hash = header.start_state_hash;  // a replay compares that one
+    of_start.start_state_hash = header.start_state_hash;  // a replay compares it
     if (of_start != header) {
         return bad_input(fmt::format("{}: expected {} as the header says, found {} in the start state",
                                      shown_path(file), clay_of(header), clay_of(of_start)));

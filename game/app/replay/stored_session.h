@@ -1,4 +1,4 @@
-// A session in a file, with its start and what was drawn on its pot. Main thread, blocks.
+// Loads a session file, with its start and its pot's decoration. Main thread, blocks.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ namespace onggi::app {
 struct LoadedSession {
     record::Session session;
     haptic::Start start;
-    decoration::Recorded decoration{};  // of the pot that is left
+    decoration::Recorded decoration{};  // of the final pot
 };
 [[nodiscard]] Result<LoadedSession> load_session(const std::string& file);
 
-// "FILE: cut short ..." for a session that does not end with its end marker.
+// "FILE: cut short ..." for a session without its end marker.
 [[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session,
                                                        const std::string& file);
 

@@ -16,7 +16,7 @@
 namespace onggi::app {
 namespace {
 
-// All that the first version of Landlock knows: every kernel with it takes that.
+// All rights of the first version of Landlock, which every kernel with Landlock accepts.
 constexpr std::uint64_t kEverything =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_READ_FILE |
     LANDLOCK_ACCESS_FS_READ_DIR | LANDLOCK_ACCESS_FS_REMOVE_DIR | LANDLOCK_ACCESS_FS_REMOVE_FILE |
@@ -35,7 +35,7 @@ Result<void> allow(int rules, const std::filesystem::path& place, std::uint64_t 
     rule.parent_fd = ::open(place.c_str(), O_PATH | O_CLOEXEC);
     if (rule.parent_fd < 0) return refused("to find " + shown_path(place.native()));
     const long added = ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
-    const Error error = refused("to be let into " + shown_path(place.native()));
+    const Error error = refused("to get access to " + shown_path(place.native()));
     ::close(rule.parent_fd);
     if (added != 0) return error;
     return {};
@@ -52,7 +52,8 @@ Result<bool> confine_to(const std::filesystem::path& readable, const std::filesy
     if (rules < 0) return false;
     Result<void> allowed = allow(rules, readable, LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR);
     if (allowed && !writable.empty()) allowed = allow(rules, writable, LANDLOCK_ACCESS_FS_WRITE_FILE);
-    if (allowed && ::syscall(SYS_landlock_restrict_self, rules, 0) != 0) allowed = refused("to be shut in");
+    if (allowed && ::syscall(SYS_landlock_restrict_self, rules, 0) != 0)
+        allowed = refused("to confine the process");
     ::close(rules);
     if (!allowed) return allowed.error();
     return true;

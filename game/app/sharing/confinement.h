@@ -1,4 +1,4 @@
-// Shuts this process off from every file but those it serves. Main thread; there is no way back.
+// Restricts this process to the files that it serves. Main thread; irreversible.
 #pragma once
 
 #include <filesystem>
@@ -7,10 +7,10 @@
 
 namespace onggi::app {
 
-// From now on nothing but files below `readable` can be read and nothing but the pipe `writable` (empty:
-// nothing) be written, made, run or removed, whatever a request talks this process into; nor can it gain a
-// right. Landlock of the kernel (5.13 on). False where the kernel has none: then the service manager's own
-// walls stand alone. System lacks: there is one, and it refused.
+// From now on the process can read only files below `readable` and write only the pipe `writable` (empty:
+// none); it cannot create, run or remove files, nor gain privileges, even if a request exploits it. Uses the
+// kernel's Landlock (5.13 or later). Returns false where the kernel has none: then only the service manager's
+// sandbox protects. System lacks: Landlock refused.
 [[nodiscard]] Result<bool> confine_to(const std::filesystem::path& readable,
                                       const std::filesystem::path& writable);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <net/if.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
@@ -28,7 +29,7 @@ struct SocketAddress {
     [[nodiscard]] const sockaddr* generic() const { return reinterpret_cast<const sockaddr*>(&storage); }
 };
 
-// None where the text is no address.
+// Empty where the text is no address.
 std::optional<SocketAddress> numeric(const std::string& address, int port) {
     SocketAddress made;
     const auto network_port = htons(static_cast<std::uint16_t>(port));
@@ -62,7 +63,7 @@ Result<std::string> address_of(const std::string& address_or_interface) {
     if (address_or_interface.empty() || address_or_interface.size() >= sizeof request.ifr_name)
         return unknown();
     std::copy(address_or_interface.begin(), address_or_interface.end(), std::begin(request.ifr_name));
-    // By a socket of the internet, because the service may have no other.
+    // Uses an AF_INET socket, because the service may be allowed no other family.
     const int probe = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     const int refused = probe >= 0 && ::ioctl(probe, SIOCGIFADDR, &request) == 0 ? 0 : errno;
     if (probe >= 0) ::close(probe);
@@ -90,6 +91,8 @@ Result<int> listen_at(const std::string& address_or_interface, int port) {
     if (listening < 0) return refused();
     const int yes = 1;
     ::setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    const int silent_s = 1;  // accept a silent client after this time
+    ::setsockopt(listening, IPPROTO_TCP, TCP_DEFER_ACCEPT, &silent_s, sizeof silent_s);
     if (place->storage.ss_family == AF_INET6)
         ::setsockopt(listening, IPPROTO_IPV6, IPV6_V6ONLY, &yes, sizeof yes);
     constexpr int kBacklog = 256;
@@ -106,7 +109,7 @@ int port_of(int listening_socket) {
     socklen_t size = sizeof storage;
     if (::getsockname(listening_socket, reinterpret_cast<sockaddr*>(&storage), &size) != 0) return 0;
     sockaddr_in ipv4{};
-    std::memcpy(&ipv4, &storage, sizeof ipv4);  // the port lies in the same place in both
+    std::memcpy(&ipv4, &storage, sizeof ipv4);  // the port is at the same offset in both
     return ntohs(ipv4.sin_port);
 }
 

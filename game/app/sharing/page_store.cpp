@@ -14,7 +14,7 @@ namespace onggi::app {
 namespace {
 
 OpenFile open_in(int folder, const std::string& name) {
-    // A pipe in the place of a file is not waited for.
+    // Does not block on a pipe in place of a file.
     const int descriptor =
         ::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     if (descriptor < 0) return {};

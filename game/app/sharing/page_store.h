@@ -1,4 +1,4 @@
-// The outbox as the server sees it: files to be read, nothing else. Any one thread; blocks as a disk does.
+// The server's read-only access to the outbox. Any one thread; blocks as a disk does.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace onggi::app {
 
-// A file that is open for reading; what is in it stays so long, also when the pot is withdrawn meanwhile.
+// A file that is open for reading; its content stays available while it is open, even if the pot is
+// withdrawn.
 class OpenFile {
   public:
     OpenFile() = default;
@@ -29,7 +30,7 @@ class OpenFile {
 
     explicit operator bool() const { return descriptor_ >= 0; }
     [[nodiscard]] std::uint64_t size() const { return size_; }
-    // Whoever takes it closes it.
+    // The caller closes the descriptor.
     [[nodiscard]] int release() { return std::exchange(descriptor_, -1); }
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
@@ -42,8 +43,8 @@ class PageStore {
   public:
     explicit PageStore(std::filesystem::path outbox) : outbox_(std::move(outbox)) {}
 
-    // A file of that code's folder. Nothing where there is no such folder or file, where its time is over at
-    // `wall_s` (seconds since 1970), or where what stands there is no plain file: no link is followed.
+    // Opens a file of that code's folder. Returns no file where the folder or file is missing, where it has
+    // expired at `wall_s` (seconds since 1970), or where it is not a regular file: links are not followed.
     [[nodiscard]] OpenFile open(const sharing::ShareCode& code, std::string_view name,
                                 std::int64_t wall_s) const;
 

@@ -25,9 +25,9 @@
 namespace onggi::app {
 namespace {
 
-// What the server sends: each answer with its head.
+// The server's answers, each with its header fields.
 
-// An answer that is ready to be sent, once or often.
+// An answer that is ready to be sent, once or many times.
 class Response {
   public:
     Response() = default;
@@ -54,17 +54,17 @@ class Responses {
   public:
     Responses();
 
-    // All of the file, or the bytes that `range` means; `is_twin`: it is the packed one.
+    // The file, or the bytes in `range`; `is_twin`: the file is the compressed one.
     [[nodiscard]] static Response of_file(OpenFile file, const sharing::PageFile& known,
                                           std::string_view range, bool is_twin);
-    // What is no file of a pot: held ready.
+    // The prepared answer for everything but a pot's file.
     [[nodiscard]] Response without_a_file(const sharing::ShareAnswer& answer,
                                           std::string_view accept_language) const;
     [[nodiscard]] Response lost(std::string_view accept_language) const;
     [[nodiscard]] Response too_many() const { return too_many_; }
 
   private:
-    // By language, in the order of kiosk::built_in_languages().
+    // One per language, in the order of kiosk::built_in_languages().
     std::vector<Response> lost_;
     std::vector<Response> ask_;
     Response script_;
@@ -78,7 +78,7 @@ class Responses {
 constexpr const char* kHtml = "text/html; charset=utf-8";
 constexpr const char* kText = "text/plain; charset=utf-8";
 
-// Nothing is kept in between, guessed or told on.
+// Forbids caching, content sniffing and referrers.
 void add_manners(const Response& response, const std::string& media_type, std::string_view policy) {
     if (!media_type.empty()) response.add(MHD_HTTP_HEADER_CONTENT_TYPE, media_type);
     response.add(MHD_HTTP_HEADER_CACHE_CONTROL, "no-store");
@@ -96,7 +96,7 @@ Response of_text(const std::string& text, const char* media_type, unsigned statu
     return response;
 }
 
-// Which of the built-in languages a phone likes best; English where it likes none.
+// The built-in language that a phone prefers, or English.
 std::size_t language_of(std::string_view accept_language) {
     std::vector<std::string_view> codes;
     for (const kiosk::Language& language : kiosk::built_in_languages())
@@ -120,7 +120,7 @@ Responses::Responses() {
     bad_request_ = of_text("", kText, MHD_HTTP_BAD_REQUEST);
     too_many_ = of_text("", kText, MHD_HTTP_TOO_MANY_REQUESTS);
     too_many_.add(MHD_HTTP_HEADER_RETRY_AFTER, "5");
-    // Who is not to ask again at once need not hold a connection.
+    // These answers close the connection, because the client should not ask again soon.
     for (const Response* last : {&not_allowed_, &bad_request_, &too_many_})
         last->add(MHD_HTTP_HEADER_CONNECTION, "close");
 }
@@ -187,17 +187,26 @@ Response Responses::without_a_file(const sharing::ShareAnswer& answer,
 
 using sharing::ShareAnswer;
 
-// Of one connection: the words of a request and its answer's head have to fit in here.
+// Memory per connection: a request's header and its answer's header must fit in here.
 constexpr std::size_t kConnectionBytes = 8192;
-constexpr unsigned kSilentS = 15;  // the deadlines are sharper; this holds where they do not see
+constexpr unsigned kSilentS = 15;  // a fallback: the deadlines are shorter
 constexpr double kSweepS = 0.25;
 
-// Whether the other side has closed a connection of which all that came is read. libmicrohttpd 0.9.75 does
-// not see it when the close came with the last bytes: its epoll tells of a change once, and it takes a read
-// that is shorter than its buffer for the end of what there is.
+// Whether the client has closed a connection whose data has all been read. libmicrohttpd 0.9.75 does not
+// notice a close that arrives with the last bytes: its epoll is edge-triggered, and it stops reading after a
+// read shorter than its buffer.
 bool has_gone(int socket) {
     char byte = 0;
     return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
+// Whether the other side begins with a TLS handshake (RFC 8446, 5.1): a browser that tries https first goes
+// on to http as soon as it is closed. The listening socket hands connections over with their first bytes
+// (TCP_DEFER_ACCEPT).
+bool speaks_tls(int socket) {
+    constexpr char kHandshake = 0x16;
+    char first = 0;
+    return ::recv(socket, &first, 1, MSG_PEEK | MSG_DONTWAIT) == 1 && first == kHandshake;
 }
 
 std::string_view view_of(const char* text) {
@@ -208,7 +217,8 @@ std::string_view header(MHD_Connection* connection, const char* name) {
     return view_of(MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name));
 }
 
-// As many files may be open as that many connections need, each with one to send.
+// Raises the limit of open files for that many connections, each with one file to send; returns the number
+// granted.
 unsigned granted_connections(unsigned wanted) {
     constexpr rlim_t kOthers = 32;
     rlimit limit{};
@@ -253,16 +263,18 @@ class MicroServer final : public ShareServer {
         const double now_s = options_.now_s();
         if (now_s < next_sweep_s_) return;
         next_sweep_s_ = now_s + kSweepS;
-        deadlines_.sweep(now_s, has_gone, [](int socket) { ::shutdown(socket, SHUT_RDWR); });
+        deadlines_.sweep(now_s, has_gone, &MicroServer::cut);
     }
 
     [[nodiscard]] std::size_t connections() const override { return deadlines_.size(); }
 
   private:
     struct Request {
-        std::string target;  // as it came
+        std::string target;  // as received
         bool is_known = false;
     };
+
+    static void cut(int socket) { ::shutdown(socket, SHUT_RDWR); }
 
     static std::size_t leave_as_it_is(void*, MHD_Connection*, char* text) { return std::strlen(text); }
 
@@ -284,8 +296,10 @@ class MicroServer final : public ShareServer {
         auto& deadlines = static_cast<MicroServer*>(self)->deadlines_;
         if (what == MHD_CONNECTION_NOTIFY_STARTED) {
             const auto* const info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
+            if (speaks_tls(info->connect_fd)) cut(info->connect_fd);
             const double now_s = static_cast<MicroServer*>(self)->options_.now_s();
-            *context = new Deadlines::Handle(deadlines.add(info->connect_fd, now_s));  // NOLINT
+            *context = new Deadlines::Handle(  // NOLINT
+                deadlines.add(info->connect_fd, address_of(connection), now_s, &MicroServer::cut));
         } else if (*context != nullptr) {
             auto* const handle = static_cast<Deadlines::Handle*>(*context);
             deadlines.remove(*handle);
@@ -316,10 +330,10 @@ class MicroServer final : public ShareServer {
 
     static MHD_Result answer_to(void* self, MHD_Connection* connection, const char*, const char* method,
                                 const char*, const char*, std::size_t* upload_size, void** context) {
-        *upload_size = 0;  // nothing that is sent here is read
+        *upload_size = 0;  // uploads are not read
         auto* const request = static_cast<Request*>(*context);
         if (request == nullptr) return MHD_NO;
-        // An answer to the first call ends the connection: good for who sends more than a question.
+        // Answering in the first call ends the connection, as intended for a request with a body.
         const bool has_body = !header(connection, MHD_HTTP_HEADER_CONTENT_LENGTH).empty() ||
                               !header(connection, MHD_HTTP_HEADER_TRANSFER_ENCODING).empty();
         if (!std::exchange(request->is_known, true) && !has_body) return MHD_YES;
@@ -385,7 +399,7 @@ class MicroServer final : public ShareServer {
 
 Result<std::unique_ptr<ShareServer>> ShareServer::start(const ShareServerOptions& options) {
     auto server = std::make_unique<MicroServer>(options);
-    if (!server->start()) return system_lacks("sharing: the server cannot begin: not enough memory or files");
+    if (!server->start()) return system_lacks("sharing: the server cannot start: not enough memory or files");
     return std::unique_ptr<ShareServer>(std::move(server));
 }
 

@@ -1,5 +1,5 @@
-// Serves the outbox to phones over HTTP/1.1 (libmicrohttpd): no cookies, no log, no listing. What a request
-// means is decided in game/sharing/share_request.h. One thread, whoever calls run().
+// Serves the outbox to phones over HTTP/1.1 (libmicrohttpd): no cookies, no log, no listing.
+// game/sharing/share_request.h interprets the requests. One thread, the one that calls run().
 #pragma once
 
 #include <cstddef>
@@ -14,32 +14,43 @@
 
 namespace onggi::app {
 
-// Until when each connection has to have done what it is at: a client that sends its words byte by byte, or
-// takes its file so, is cut off, and the sooner where there are many; one that has gone before it asked, at
-// once. No clock: time is handed in. Any one thread.
+// The deadline of each connection: a client that sends its request or takes its file byte by byte is cut off,
+// sooner when there are many connections, and one that disconnects before its request at once. The caller
+// passes the time. Any one thread.
 struct DeadlineRules {
-    double head_s = 10.0;         // for all of a request's head, from the first moment on; also to be silent
-    double crowded_head_s = 1.0;  // the same where there is a crowd
-    std::size_t crowd = 384;      // so many connections are one
-    double answer_s = 20.0;       // for an answer, and
-    double bytes_per_s = 16'384.0;  // as long as it takes at this pace
+    double head_s = 10.0;         // for a whole request header, and for silence
+    double crowded_head_s = 1.0;  // the same in a crowd
+    std::size_t crowd = 384;      // connections that make a crowd
+    // Connections without a whole request. A new one beyond these replaces the oldest, so that open headers
+    // keep no other phone out, whether it has the same address or not.
+    std::size_t most_heads_an_address = 96;
+    std::size_t most_heads = 448;
+    double answer_s = 20.0;         // for an answer, plus
+    double bytes_per_s = 16'384.0;  // its transfer time at this rate
 };
 
 class Deadlines {
   public:
     struct Connection {
         int socket = -1;
-        double since_s = 0.0;  // that it is at this
+        sharing::AddressKey address{};
+        double since_s = 0.0;  // start of the present state
         double until_s = 0.0;
-        bool is_answered = false;  // the answer is on its way
+        bool is_answered = false;  // the answer is being sent
         bool is_cut = false;
     };
     using Handle = std::list<Connection>::iterator;
 
     explicit Deadlines(const DeadlineRules& rules = {}) : rules_(rules) {}
 
-    [[nodiscard]] Handle add(int socket, double now_s) {
-        const Handle added = connections_.insert(connections_.end(), Connection{.socket = socket});
+    // Calls cut(socket) for each whose place the newcomer takes.
+    template <typename Cut>
+    [[nodiscard]] Handle add(int socket, const sharing::AddressKey& address, double now_s, Cut cut) {
+        make_room([&](const Connection& other) { return other.address == address; },
+                  rules_.most_heads_an_address, cut);
+        make_room([](const Connection&) { return true; }, rules_.most_heads, cut);
+        const Handle added =
+            connections_.insert(connections_.end(), Connection{.socket = socket, .address = address});
         has_answered(added, now_s);
         return added;
     }
@@ -48,7 +59,7 @@ class Deadlines {
         connection->until_s = now_s + rules_.answer_s + static_cast<double>(bytes) / rules_.bytes_per_s;
         connection->is_answered = true;
     }
-    // It may ask again.
+    // The connection may send its next request.
     void has_answered(Handle connection, double now_s) const {
         connection->since_s = now_s;
         connection->until_s = now_s + rules_.head_s;
@@ -57,7 +68,8 @@ class Deadlines {
     void remove(Handle connection) { connections_.erase(connection); }
     [[nodiscard]] std::size_t size() const { return connections_.size(); }
 
-    // Calls cut(socket) once for each whose time is over, or who asks for nothing and has_gone(socket).
+    // Calls cut(socket) once for each connection past its deadline, and for each idle one with
+    // has_gone(socket).
     template <typename HasGone, typename Cut>
     void sweep(double now_s, HasGone has_gone, Cut cut) {
         const bool is_crowded = connections_.size() >= rules_.crowd;
@@ -72,16 +84,31 @@ class Deadlines {
     }
 
   private:
+    // Leaves room for one more among those that `counts` takes.
+    template <typename Counts, typename Cut>
+    void make_room(Counts counts, std::size_t most, Cut cut) {
+        std::size_t heads = 0;
+        Connection* oldest = nullptr;
+        for (Connection& connection : connections_) {
+            if (connection.is_answered || connection.is_cut || !counts(connection)) continue;
+            ++heads;
+            if (oldest == nullptr || connection.since_s < oldest->since_s) oldest = &connection;
+        }
+        if (heads < most || oldest == nullptr) return;
+        oldest->is_cut = true;
+        cut(oldest->socket);
+    }
+
     DeadlineRules rules_;
     std::list<Connection> connections_;
 };
 
 struct ShareServerOptions {
-    int listening_socket = -1;  // of listen_at(); closed by the server
+    int listening_socket = -1;  // from listen_at(); the server closes it
     std::filesystem::path outbox;
-    std::filesystem::path counter;               // a pipe, or empty: nothing is counted
-    unsigned most_connections = 512;             // fewer where the system grants fewer files
-    unsigned most_connections_an_address = 128;  // a museum's whole Wi-Fi may stand behind one
+    std::filesystem::path counter;               // a pipe, or empty for no counting
+    unsigned most_connections = 512;             // fewer if the system's file limit is lower
+    unsigned most_connections_an_address = 128;  // a museum's whole Wi-Fi may share one
     sharing::RateRules rate = {};
     DeadlineRules deadlines = {};
     std::function<double()> now_s;         // never goes back
@@ -90,13 +117,13 @@ struct ShareServerOptions {
 
 class ShareServer {
   public:
-    // System lacks: no memory, no files. SIGPIPE must be ignored by then.
+    // System lacks: no memory, no files. Precondition: SIGPIPE is ignored.
     [[nodiscard]] static Result<std::unique_ptr<ShareServer>> start(const ShareServerOptions& options);
     ShareServer(const ShareServer&) = delete;
     ShareServer& operator=(const ShareServer&) = delete;
     virtual ~ShareServer() = default;
 
-    // Answers what there is to answer, and waits at most so long for more; a signal ends it sooner.
+    // Answers the pending requests, and waits up to `most_ms` for more; a signal ends the wait.
     virtual void run(int most_ms) = 0;
     [[nodiscard]] virtual std::size_t connections() const = 0;
 

@@ -13,7 +13,9 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -31,23 +33,26 @@ struct Lead {
     std::array<char, PATH_MAX> session{};
     std::array<char, PATH_MAX> keep_in{};
 };
-// In memory that the supervisor shares, and reads when the program is no more. Of two leads one is whole.
+// In memory shared with the supervisor, which reads it after the program's death. One of the two leads is
+// always complete.
 struct SharedLead {
     std::array<Lead, 2> leads;
     std::atomic<std::uint32_t> whole{0};
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
-// A handler reaches nothing else.
+// A signal handler can use only globals.
 SharedLead* shared = nullptr;
 std::array<char, 256> program{};
 std::array<std::byte, std::size_t{64} << 10U> handler_stack{};
 std::atomic_flag is_reporting = ATOMIC_FLAG_INIT;
 
-// One line, as far as it has room, by one call: lines of several processes do not mix.
+// One line, truncated to its buffer and written by one call, so that lines of several processes do not mix.
 class Line {
   public:
-    explicit Line(bool for_journal) { *this << (for_journal ? kCritical : "") << "onggi: crash: "; }
+    explicit Line(bool for_journal, const char* begins = "onggi: crash: ") {
+        *this << (for_journal ? kCritical : "") << begins;
+    }
     Line& operator<<(const char* text) {
         while (*text != '\0' && size_ + 1 < bytes_.size())
             bytes_[size_++] = *text++;
@@ -91,14 +96,14 @@ const char* words_for(int signal) {
 
 bool for_journal = false;
 
-// Who called what is not there: a function pointer that was null, of a driver say, has no frame that could be
-// unwound, and the address to return to is the last thing on the stack (System V ABI, AMD64, 3.2.2).
+// Reports the caller of a null function pointer, for example of a driver: the call has no frame to unwind,
+// but the return address is on top of the stack (System V ABI, AMD64, 3.2.2).
 void tell_who_called_nothing(const void* context) {
 #ifdef __x86_64__
     const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
     if (registers[REG_RIP] != 0) return;
     void* const caller = *reinterpret_cast<void* const*>(registers[REG_RSP]);
-    (Line(for_journal) << "a function that is not there was called from").write();
+    (Line(for_journal) << "a missing function was called from").write();
     ::backtrace_symbols_fd(&caller, 1, STDERR_FILENO);
 #else
     static_cast<void>(context);
@@ -106,16 +111,16 @@ void tell_who_called_nothing(const void* context) {
 }
 
 void report_and_die(int signal, siginfo_t* info, void* context) {
-    // The thread that fell first tells of it; another that falls meanwhile waits for the end.
+    // The first thread that crashes reports it; others that crash meanwhile wait for the end.
     while (is_reporting.test_and_set())
         ::pause();
-    // Should a line never end, somebody holding the loader's lock: the program does.
+    // Ends the program if the report hangs, for example on the loader's lock.
     ::alarm(5);
     std::array<char, 17> thread{};
     ::prctl(PR_GET_NAME, thread.data());
     Line line(for_journal);
     line << words_for(signal);
-    // Of the kernel's own finding, or of somebody's: a service manager's watchdog.
+    // Whether the kernel raised the signal, or another process such as a service manager's watchdog sent it.
     if (info->si_code > 0) {
         (line << " at ").hex(reinterpret_cast<std::uintptr_t>(info->si_addr));
     } else {
@@ -129,7 +134,7 @@ void report_and_die(int signal, siginfo_t* info, void* context) {
     const char* session = shared == nullptr ? "" : shared->leads[shared->whole % 2].session.data();
     Line led(for_journal);
     if (*session == '\0') {
-        led << "nobody was throwing";
+        led << "no visit was in progress";
     } else {
         led << "the session that led there: " << session;
     }
@@ -138,23 +143,43 @@ void report_and_die(int signal, siginfo_t* info, void* context) {
     ::raise(signal);
 }
 
+// A machine without memory for it is no crash of the program's: one line, and the exit code of what the
+// system lacks. Called where no thread and no start catches what it throws.
+[[noreturn]] void end_without_memory_or_crash() noexcept {
+    try {
+        if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        std::array<char, 17> thread{};
+        ::prctl(PR_GET_NAME, thread.data());
+        (Line(for_journal, "onggi: ")
+         << "expected memory for the thread " << thread.data() << ", found none left")
+            .write();
+        ::_exit(exit_code(ErrorKind::kSystemLacks));
+    } catch (...) {  // NOLINT: abort() reports it
+    }
+    std::abort();
+}
+
 void copy(std::array<char, PATH_MAX>& into, const std::string& text) {
     into = {};
     if (text.size() < into.size()) std::memcpy(into.data(), text.data(), text.size());
 }
 
-// The first name that is free, or that of the oldest.
+// The first unused name, or that of the oldest file. A file dated after now was written before the clock went
+// back.
 fs::path place_in(const fs::path& folder) {
     fs::path oldest;
-    fs::file_time_type written{};
+    const fs::file_time_type now = fs::file_time_type::clock::now();
+    std::pair<bool, fs::file_time_type> written{};
     for (int number = 1; number <= kMostCrashes; ++number) {
         fs::path place = folder / fmt::format("crash-{}.onggi", number);
         std::error_code error;
         const fs::file_time_type at = fs::last_write_time(place, error);
         if (error) return place;
-        if (!oldest.empty() && at >= written) continue;
+        const std::pair<bool, fs::file_time_type> age{at <= now, at};
+        if (!oldest.empty() && age >= written) continue;
         oldest = std::move(place);
-        written = at;
+        written = age;
     }
     return oldest;
 }
@@ -168,12 +193,13 @@ void report_crashes() {
     const std::string named = "onggi " + version();
     std::copy_n(named.data(), std::min(named.size(), program.size() - 1), program.data());
     for_journal = stderr_is_journal();
-    // The first call loads what unwinds, which no handler may.
+    // The first call loads the unwinder's library, which a signal handler must not do.
     std::array<void*, 1> frame{};
     static_cast<void>(::backtrace(frame.data(), 1));
-    // A stack that ran over has no room for a handler.
+    // After a stack overflow, the handler needs its own stack.
     const stack_t apart{.ss_sp = handler_stack.data(), .ss_flags = 0, .ss_size = handler_stack.size()};
     ::sigaltstack(&apart, nullptr);
+    std::set_terminate(&end_without_memory_or_crash);
     struct sigaction action {};
     action.sa_sigaction = &report_and_die;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;
@@ -206,7 +232,7 @@ Result<std::optional<fs::path>> keep_crash_session() {
     const fs::path place = place_in(folder);
     fs::remove(place, error);
     fs::create_hard_link(session, place, error);
-    // Not every file system knows two names for one file.
+    // Not every file system supports hard links.
     if (error) fs::copy_file(session, place, error);
     if (error)
         return system_lacks(fmt::format("{}: expected to keep the session of a crash there, found: {}",

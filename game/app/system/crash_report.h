@@ -1,7 +1,7 @@
-// What is left behind when the program dies on the spot: a backtrace on stderr, which is the journal of a
-// service, and the session that led there, for `onggi replay`. Without a core file, a second program or a
-// question to the disk: by glibc's backtrace(), whose lines are written straight to a descriptor, where
-// boost.stacktrace leaves raw addresses for a program that starts again to make words of.
+// Reports a crash: writes a backtrace to stderr, the journal of a service, and keeps the session that led to
+// the crash, for `onggi replay`. It needs no core file, no second program and no disk access: glibc's
+// backtrace() writes its lines to a descriptor, whereas boost.stacktrace leaves raw addresses for a later
+// process to decode.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,20 @@
 
 namespace onggi::app {
 
-// From now on SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT are reported before they end the program, each as a
-// line an event, by what may be called in a signal handler. A handler that is there already, a sanitizer's,
-// stays. Main thread, before others and before a supervisor's fork.
+// From now on SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT are reported before they end the program, one line
+// per event, with async-signal-safe functions. An existing handler, such as a sanitizer's, stays. An
+// allocation failure that nothing catches ends the program with one line and exit code 3. Main thread, before
+// other threads start and before a supervisor's fork.
 void report_crashes();
 
-// Any one thread at a time: a crash from now on was led to by the session that grows there, and it is to be
-// kept in that folder. Empty: nobody throws. Paths longer than the system's own limit are taken for none.
+// Any one thread at a time: a crash from now on belongs to the session that is being written at `session`;
+// keep_crash_session() will keep it in `keep_in`. Empty paths mean that no visitor throws. Paths longer than
+// the system's limit count as empty.
 void crash_leads_to(const std::filesystem::path& session, const std::filesystem::path& keep_in) noexcept;
 
-// For a supervisor, after the death of its child: keeps the session that led there, by a second name for the
-// same bytes, as crash-N.onggi, the oldest of kMostCrashes giving way. Gives where it is; nothing: nobody
-// threw. System lacks: the disk does not take it.
+// For a supervisor, after the death of its child: keeps the session of the crash as a hard link
+// crash-N.onggi, which replaces the oldest of kMostCrashes. Returns its path, or nothing if no visitor was
+// throwing. System lacks: the disk refuses it.
 constexpr int kMostCrashes = 20;
 [[nodiscard]] Result<std::optional<std::filesystem::path>> keep_crash_session();
 

@@ -7,7 +7,7 @@
 namespace onggi::app {
 namespace {
 
-// A handler may touch nothing else.
+// A signal handler may use only such atomics.
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -18,7 +18,8 @@ void note(int /*signal*/) {
 }  // namespace
 
 void note_end_signals(bool locked) {
-    // Whoever started the program may have blocked them, which it inherits: then it could not be ended.
+    // The parent process may have blocked these signals, and the program inherits that: it could not be
+    // ended.
     sigset_t heard;
     sigemptyset(&heard);
     for (const int signal : {SIGTERM, SIGHUP, SIGINT})
@@ -32,7 +33,7 @@ void note_end_signals(bool locked) {
     action.sa_flags |= static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);
     if (!locked) return;
-    // A visitor's keyboard is no way out; the system's own request (SIGTERM) stays one.
+    // A visitor's keyboard must not end a kiosk; the system's SIGTERM still does.
     action.sa_handler = SIG_IGN;
     sigaction(SIGINT, &action, nullptr);
 }

@@ -29,7 +29,7 @@ void leave_haptic_core_wholly(const jobs::CoreChoice& core) {
 }
 
 int draw_threads(const jobs::CoreChoice& choice) {
-    // Mesa's own switch; 0 and 1 both draw on one.
+    // Mesa's environment variable; 0 and 1 both mean one thread.
     const char* requested = std::getenv("LP_NUM_THREADS");
     if (requested != nullptr) return std::max(1, std::atoi(requested));
     return std::max(1, static_cast<int>(choice.others.size()));

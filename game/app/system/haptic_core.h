@@ -1,19 +1,20 @@
-// The core that belongs to the haptic thread, for every command that draws. Main thread.
+// The core reserved for the haptic thread, for every command that draws. Main thread.
 #pragma once
 
 #include "engine/jobs/thread_setup.h"
 
 namespace onggi::app {
 
-// Chooses it and keeps the calling thread, with all that it will start, off it. To be called before Vulkan is
-// created: its software driver starts threads that inherit the caller's cores. A refusal is said and lived
-// with.
+// Chooses the core and keeps the calling thread, and all threads that it will start, off it. Call it before
+// Vulkan is created: its software driver starts threads that inherit the caller's cores. A refusal is
+// reported and otherwise ignored.
 [[nodiscard]] jobs::CoreChoice leave_haptic_core();
 
-// Keeps all threads off it that there are, once Vulkan is created and before the haptic thread starts.
+// Keeps all existing threads off the core. Call it once Vulkan is created and before the haptic thread
+// starts.
 void leave_haptic_core_wholly(const jobs::CoreChoice& core);
 
-// How many threads a software Vulkan device draws with, once that is done.
+// The number of threads that a software Vulkan device draws with after that.
 [[nodiscard]] int draw_threads(const jobs::CoreChoice& choice);
 
 }  // namespace onggi::app

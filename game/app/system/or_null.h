@@ -1,11 +1,11 @@
-// What is not known is null in what the program writes as JSON.
+// Unknown values are null in the program's JSON.
 #pragma once
 
 #include <optional>
 
 namespace onggi::app {
 
-// Json: nlohmann's, whose order of fields is the caller's affair.
+// Json: nlohmann's, ordered or not, as the caller chooses.
 template <typename Json, typename T>
 [[nodiscard]] Json or_null(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);

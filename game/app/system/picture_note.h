@@ -1,5 +1,6 @@
-// How well this machine's device came to draw, from one run of the program to the next: one line in
-// FOLDER/picture, written whole or not at all. What it says: LiveView::quality_note(). Main thread; blocks.
+// Remembers the picture quality that this machine's device reached, from one run of the program to the next:
+// one line in FOLDER/picture, written atomically. Its content is LiveView::quality_note(). Main thread;
+// blocks.
 #pragma once
 
 #include <filesystem>
@@ -13,9 +14,10 @@ class PictureNote {
   public:
     explicit PictureNote(std::filesystem::path folder) : file_(std::move(folder) / "picture") {}
 
-    // Empty where there is none, or what is there cannot be one.
+    // Returns an empty note where the file is missing or cannot be a note.
     [[nodiscard]] std::string read();
-    // Writes it where it is another than was read or kept before. Errors: the disk's; it is not tried again.
+    // Writes the note if it differs from the one read or kept before. Errors: the disk's; it is not tried
+    // again.
     Result<void> keep(const std::string& note);
 
   private:

@@ -30,7 +30,7 @@ std::optional<double> since_start_s() {
 
 namespace {
 
-// A line of /proc/self/status that is a size.
+// The size in a line of /proc/self/status.
 std::optional<double> status_mb(std::string_view name) {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;) {

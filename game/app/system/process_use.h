@@ -1,17 +1,18 @@
-// What this process has taken so far, by the kernel's account. Any thread but a tick's: it reads files.
+// The time and memory that this process has used, as the kernel reports them. Any thread but the haptic one,
+// because it reads files.
 #pragma once
 
 #include <optional>
 
 namespace onggi::app {
 
-// Since the kernel started it, s, to 10 ms. None where /proc does not say.
+// Seconds since the kernel started the process, to 10 ms. Empty where /proc does not say.
 [[nodiscard]] std::optional<double> since_start_s();
 
-// Its memory that is there and not on the disk, MB of a million bytes; what it shares with others is counted
-// whole. None where /proc does not say.
+// Its resident memory in MB of a million bytes; memory shared with other processes is counted in full. Empty
+// where /proc does not say.
 [[nodiscard]] std::optional<double> resident_mb();
-// What of it the program has allocated: no pages of files, so that fonts and drivers do not count.
+// The resident memory that the program has allocated, without pages of files such as fonts and drivers.
 [[nodiscard]] std::optional<double> own_mb();
 
 }  // namespace onggi::app

@@ -12,7 +12,7 @@
 namespace onggi::app {
 namespace {
 
-// By one write, so that lines of two threads or processes do not mix; and one line whatever is in it.
+// Uses one write, so that lines of two threads or processes do not mix, and replaces line breaks.
 void say(std::string_view priority, std::string_view words) {
     static const bool is_journal = stderr_is_journal();
     std::string line = fmt::format("{}onggi: {}", is_journal ? priority : std::string_view(), words);

@@ -1,5 +1,5 @@
-// What the program says of itself, a line an event, on stderr. Where that is the journal of systemd each line
-// has its priority: 3 for what ended a command, 4 for what went wrong and was borne, 5 for the rest.
+// The program's log: one line per event on stderr. In the journal of systemd each line has a priority: 3 for
+// an error that ended a command, 4 for an error after which the program goes on, 5 for the rest.
 #pragma once
 
 #include <optional>
@@ -11,30 +11,30 @@
 
 namespace onggi::app {
 
-// Before a line in the journal (sd-daemon(3)), a crash's.
+// The prefix of a crash's line in the journal (sd-daemon(3)).
 constexpr const char* kCritical = "<2>";
 
-// The exit code that belongs to the error, after saying it.
+// Reports the error and returns its exit code.
 int report(const Error& error);
-// That of a command which has come to this: 0, or what report() says.
+// The exit code of a command with this result: 0, or that of report().
 int exit_code(const Result<void>& done);
-// What is no failure.
+// Logs an event that is no failure.
 void remark(std::string_view line);
-// What went wrong and the program goes on.
+// Logs an error after which the program goes on.
 void warn(std::string_view line);
 
-// Whether what is written to stderr is read by systemd's journal, which takes priorities.
+// Whether stderr goes to systemd's journal, which reads priorities.
 [[nodiscard]] bool stderr_is_journal();
 
-// Keeps a log readable: a line that comes again within a minute is counted and not said, so that a loose
-// cable, or a fault that comes back as often as it is taken back, does not bury what matters. Any one thread
-// at a time; time comes from the caller.
+// Keeps a log readable: a line repeated within a minute is counted and not written, so that a loose cable or
+// a recurring fault does not bury other lines. Any one thread at a time; time comes from the caller.
 class LogLines {
   public:
     static constexpr double kQuietS = 60.0;
     static constexpr std::size_t kMostRemembered = 32;
 
-    // The line as it is to be said now, with how often it was held back since the last time; none: not now.
+    // The line to write now, with the number of suppressed repetitions since the last time, or nothing while
+    // it is suppressed.
     [[nodiscard]] std::optional<std::string> say(const std::string& line, double now_s);
 
   private:

@@ -20,7 +20,7 @@
 namespace onggi::app {
 namespace {
 
-// Seconds; 0 where nobody watches.
+// Seconds; 0 without a watchdog.
 double watchdog_s() {
     constexpr double kUsPerSecond = 1e6;
     const char* text = std::getenv("WATCHDOG_USEC");
@@ -28,12 +28,12 @@ double watchdog_s() {
     return static_cast<double>(number_in<std::uint64_t>(text).value_or(0)) / kUsPerSecond;
 }
 
-// A manager that does not listen is no reason to stop the wheel.
+// A failed notification is ignored: it must not stop the wheel.
 void tell(const std::string& words) {
     static_cast<void>(sd_notify(0, words.c_str()));
 }
 
-// The words the program was started with, its own name first.
+// The program's arguments, its name first.
 std::vector<std::string> own_words() {
     std::ifstream file("/proc/self/cmdline", std::ios::binary);
     const std::string all{std::istreambuf_iterator<char>(file), {}};
@@ -43,7 +43,7 @@ std::vector<std::string> own_words() {
     return words;
 }
 
-// Where it lies; after an update there is a new one of the same name.
+// The program's path; after an update there is a new file of the same name.
 std::string own_place() {
     std::error_code error;
     std::string place = std::filesystem::read_symlink("/proc/self/exe", error).string();
@@ -91,7 +91,7 @@ Error start_anew() {
     std::fflush(nullptr);
     if (!words.empty()) ::execv(place.c_str(), arguments.data());
     return system_lacks(
-        fmt::format("restart: expected to start {} anew, found {}", place, std::strerror(errno)));
+        fmt::format("restart: expected to start {} again, found {}", place, std::strerror(errno)));
 }
 
 }  // namespace onggi::app

@@ -1,6 +1,5 @@
-// What the machine's service manager is told of the program (sd_notify): that it is ready, that it is well,
-// in a line what it does, that it ends. Where no manager listens ($NOTIFY_SOCKET), nothing happens. Main
-// thread.
+// Notifies the machine's service manager (sd_notify) that the program is ready, well or ending, and of its
+// status in a line. Without a manager ($NOTIFY_SOCKET) it does nothing. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +9,21 @@
 
 namespace onggi::app {
 
-// What has to go on for the program to be well.
+// The counters that advance while the program is well.
 struct SignsOfLife {
     std::uint64_t frames_shown = 0;
-    std::uint64_t haptic_ticks = 0;  // any number that is another one after a tick
+    std::uint64_t haptic_ticks = 0;  // any number that changes with a tick
 
     friend bool operator==(const SignsOfLife&, const SignsOfLife&) = default;
 };
 
-// Whether the manager may be told that all is well: a watchdog must see the picture, not the process. Pure.
+// Decides whether the watchdog may be notified: it must watch the picture, not only the process. Pure.
 class Pulse {
   public:
-    // `watchdog_s`: how long the manager waits, 0 for ever. It is told four times as often.
+    // `watchdog_s`: the manager's timeout, 0 for none. It is notified four times as often.
     explicit Pulse(double watchdog_s) : every_s_(watchdog_s / 4.0) {}
 
-    // True when it is time, and since the last time a frame was shown and a tick was done.
+    // True when the interval is over and, since the last time, a frame was shown and a tick was done.
     [[nodiscard]] bool is_due(double now_s, const SignsOfLife& signs);
 
   private:
@@ -35,12 +34,11 @@ class Pulse {
 
 class Service {
   public:
-    // Of the environment that systemd sets: $WATCHDOG_USEC. $WATCHDOG_PID names the compositor, whose child
-    // this is, and is not asked.
+    // Reads systemd's $WATCHDOG_USEC. Ignores $WATCHDOG_PID, which names the compositor, the parent of this
+    // process.
     Service();
 
-    // Once a frame that may have been shown: READY=1 with the first sign of life, WATCHDOG=1 while there are
-    // more.
+    // Call it once a frame: sends READY=1 with the first sign of life, then WATCHDOG=1 while there are more.
     void live(double now_s, const SignsOfLife& signs);
     // STATUS=, when the line has changed.
     void say(const std::string& line);
@@ -54,15 +52,15 @@ class Service {
     std::string said_;
 };
 
-// Starting the program anew, as the staff's panel asks for: the same program with the same words, in the same
-// process, so that whoever started it - a shell, systemd - sees it go on. Main thread.
+// Restarts the program, as the staff's panel requests: the same program with the same arguments in the same
+// process, so that its parent, a shell or systemd, sees it go on. Main thread.
 
-// What a supervised program ends with when its supervisor shall begin anew, and what a kiosk ends with when
-// it cannot: "try again" (EX_TEMPFAIL of sysexits.h). A unit with Restart=always or on-failure starts it
-// then.
+// The exit code of a supervised program that asks its supervisor for a restart, and of a kiosk that cannot
+// restart itself: "try again" (EX_TEMPFAIL of sysexits.h). A unit with Restart=always or on-failure then
+// starts it again.
 constexpr int kRestartExitCode = 75;
 
-// Takes the process over; returns only where that failed. No thread may run, no device be open.
+// Replaces the process; returns only on failure. No thread may run and no device be open.
 [[nodiscard]] Error start_anew();
 
 }  // namespace onggi::app

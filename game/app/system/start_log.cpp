@@ -1,8 +1,11 @@
 #include "game/app/system/start_log.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <system_error>
 
 #include "engine/core/number_in.h"
@@ -16,14 +19,16 @@ namespace {
 
 constexpr std::string_view kFirstLine = "onggi starts 1";
 constexpr std::size_t kMostLogBytes = 4096;
-constexpr std::size_t kMostFalls = 20;  // more tell nothing new
+constexpr std::size_t kMostFalls = 20;  // more have no effect
 
 constexpr const char* kFile = "starts";
+constexpr const char* kLockFile = "lock";
 
 void forget_old_falls(std::vector<std::int64_t>& falls_s, std::int64_t now_s) {
-    // A clock that was put back makes falls of the future: they tell nothing.
-    std::erase_if(falls_s,
-                  [&](std::int64_t fall_s) { return fall_s > now_s || now_s - fall_s >= kFallsCountForS; });
+    // A clock that was put back makes falls of the future: those count from now on.
+    for (std::int64_t& fall_s : falls_s)
+        fall_s = std::min(fall_s, now_s);
+    std::erase_if(falls_s, [&](std::int64_t fall_s) { return now_s - fall_s >= kFallsCountForS; });
 }
 
 }  // namespace
@@ -100,17 +105,17 @@ StartReport StartKeeper::begin_now(std::vector<std::string>& remarks) {
         if (log) {
             log_ = std::move(*log);
         } else {
-            remarks.push_back(log.error().message + "; the falls before are forgotten");
+            remarks.push_back(log.error().message + "; earlier crashes are forgotten");
         }
     }
     const StartReport report = begin(log_, wall_clock_s());
     if (const auto written = write(); !written) remarks.push_back(written.error().message);
     if (report.is_safe_mode) {
-        remarks.push_back(
-            fmt::format("safe mode: the program fell {} times within {} minutes; no devices, a plain picture",
-                        report.falls, kFallsCountForS / 60));
+        remarks.push_back(fmt::format(
+            "safe mode: the program crashed {} times within {} minutes; no devices, a plain picture",
+            report.falls, kFallsCountForS / 60));
     } else if (report.falls > 0) {
-        remarks.push_back(fmt::format("started again after a fall, the {}. within {} minutes", report.falls,
+        remarks.push_back(fmt::format("restarted after a crash, number {} within {} minutes", report.falls,
                                       kFallsCountForS / 60));
     }
     return report;
@@ -119,6 +124,34 @@ StartReport StartKeeper::begin_now(std::vector<std::string>& remarks) {
 Result<void> StartKeeper::end_now() {
     end(log_);
     return write();
+}
+
+Result<void> GalleryLock::take(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    constexpr mode_t kMode = 0666;  // less the umask
+    descriptor_ = ::open((folder / kLockFile).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
+    if (descriptor_ < 0) return {};  // where nothing can be written, nothing can be mixed up
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    if (::fcntl(descriptor_, F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN)) return {};
+    return system_lacks(fmt::format("{}: expected no other kiosk at this gallery, found process {}",
+                                    shown_path(folder.parent_path().native()), other_at(folder).value_or(0)));
+}
+
+GalleryLock::~GalleryLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::optional<pid_t> GalleryLock::other_at(const std::filesystem::path& folder) {
+    const int descriptor = ::open((folder / kLockFile).c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor < 0) return std::nullopt;
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    const bool is_known = ::fcntl(descriptor, F_GETLK, &whole) == 0;
+    ::close(descriptor);
+    if (!is_known || whole.l_type == F_UNLCK) return std::nullopt;
+    return whole.l_pid;
 }
 
 }  // namespace onggi::app

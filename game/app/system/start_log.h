@@ -1,9 +1,12 @@
-// How often the program fell lately, so that one that keeps falling starts in safe mode: a calm picture
-// rather than none. One small file, written whole or not at all. Main thread.
+// Counts the program's recent crashes, so that a program that keeps crashing starts in safe mode, with a
+// simple picture. One small file, written atomically. Main thread.
 #pragma once
+
+#include <sys/types.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,35 +17,35 @@ namespace onggi::app {
 
 // Times are seconds of the machine's clock since 1970, which may jump.
 struct StartLog {
-    bool is_running = false;  // a start without an end: still at work, or it fell
+    bool is_running = false;  // a start without an end: still running, or crashed
     std::vector<std::int64_t> falls_s;
 
     friend bool operator==(const StartLog&, const StartLog&) = default;
 };
 
-// What the staff is told, and what the start follows.
+// The report for the staff, which also decides on safe mode.
 struct StartReport {
     bool is_safe_mode = false;
-    int falls = 0;  // within the time that counts
+    int falls = 0;  // recent ones
 };
 
 constexpr int kFallsToSafeMode = 3;
 constexpr std::int64_t kFallsCountForS = 600;
 
-// A start at that time: whether the one before fell is noted, what is too old is forgotten. Pure.
+// Records a start at that time: counts a crash of the previous run, and drops old crashes. Pure.
 [[nodiscard]] StartReport begin(StartLog& log, std::int64_t now_s);
-// An end that was meant. Pure.
+// Records an intended end. Pure.
 inline void end(StartLog& log) {
     log.is_running = false;
 }
 
-// The file's text and back. Bad input: the line, what was expected, what was found.
+// Writes and parses the file's text. Bad input: the line, what was expected, what was found.
 [[nodiscard]] std::string text_of(const StartLog& log);
 [[nodiscard]] Result<StartLog> read_start_log(std::string_view text, const std::string& file);
 
-// The log in FOLDER/starts, as somebody else may read it. Errors: of the file, and as above.
+// Reads the log in FOLDER/starts for another program. Errors: the file's, and as above.
 [[nodiscard]] Result<StartLog> read_start_log_of(const std::filesystem::path& folder);
-// Falls that still count at that time. Pure.
+// The number of recent crashes at that time. Pure.
 [[nodiscard]] int falls_lately(StartLog log, std::int64_t now_s);
 
 // The log in FOLDER/starts, from one start to its end.
@@ -50,7 +53,7 @@ class StartKeeper {
   public:
     explicit StartKeeper(const std::filesystem::path& folder);
 
-    // `remarks` gets a line where the file is broken or cannot be written; then the start counts as the
+    // Appends a line to `remarks` if the file is damaged or cannot be written; the start then counts as the
     // first.
     StartReport begin_now(std::vector<std::string>& remarks);
     Result<void> end_now();
@@ -60,6 +63,24 @@ class StartKeeper {
 
     std::filesystem::path file_;
     StartLog log_;
+};
+
+// One kiosk at a gallery: a lock on FOLDER/lock, which the kernel lets go when the process ends, however it
+// ends. Held by the process alone, not by its children. Main thread.
+class GalleryLock {
+  public:
+    GalleryLock() = default;
+    GalleryLock(const GalleryLock&) = delete;
+    GalleryLock& operator=(const GalleryLock&) = delete;
+    ~GalleryLock();
+
+    // System lacks: another process has it. Where the file system takes no lock or no file, there is none.
+    Result<void> take(const std::filesystem::path& folder);
+    // The other process that has it. Not to be asked by the one that has it: asking lets it go.
+    [[nodiscard]] static std::optional<pid_t> other_at(const std::filesystem::path& folder);
+
+  private:
+    int descriptor_ = -1;
 };
 
 }  // namespace onggi::app

@@ -1,4 +1,4 @@
-// Which program this is: version and commit, for people who report something. Any thread.
+// The program's version and commit, for bug reports. Any thread.
 #pragma once
 
 #include <string>

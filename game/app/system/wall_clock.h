@@ -1,5 +1,5 @@
-// What time the machine believes it is, which may jump: for what people read, never for how long a thing
-// took. Any thread but the haptic one.
+// The machine's wall clock, which may jump: for times that people read, never to measure durations. Any
+// thread but the haptic one.
 #pragma once
 
 #include <chrono>

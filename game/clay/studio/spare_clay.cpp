@@ -51,7 +51,8 @@ double weigh_near(const Rings& rings, std::vector<double>& weight, double y, boo
     return whole;
 }
 
-// Among the rings near y by their weights, inwards, a little each; gives what is left.
+// Distributes the volume on the inner faces of the rings near y by their weights, a limited part each;
+// returns the rest.
 double share_near(Rings& rings, const std::vector<double>& weight, double whole, double free_mm3,
                   const Rings::Range& near) noexcept {
     const bool gives = free_mm3 > 0.0;
@@ -76,8 +77,8 @@ double share_near(Rings& rings, const std::vector<double>& weight, double whole,
     return left;
 }
 
-// The hollow clay stands higher or lower by the same fraction everywhere; all of the clay, where there is
-// little of it. Gives the lowest ring of it.
+// Scales the height of the hollow rings by one fraction, or of all rings if the hollow clay is small compared
+// with the volume. Returns the lowest scaled ring.
 int share_in_height(Rings& rings, double left_mm3) noexcept {
     constexpr double kMostOfHollow = 0.05;
     const bool gives = left_mm3 > 0.0;

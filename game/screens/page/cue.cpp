@@ -44,7 +44,7 @@ void draw_edge(DrawList& list, const std::vector<vec2>& edge, float alpha, float
     list.add_line(edge, 3.4F * u, design::kOutline.with_alpha(alpha));
 }
 
-// Slip, thin at the sides where the wall turns away.
+// Draws the belt as slip, thinner at the sides where the wall turns away.
 void draw_slip(DrawList& list, const Band& belt, float alpha) {
     const std::size_t count = points_of(belt);
     for (std::size_t i = 0; i + 1 < count; ++i) {
@@ -55,7 +55,7 @@ void draw_slip(DrawList& list, const Band& belt, float alpha) {
     }
 }
 
-// Dots from the hands out to the finger, which is ringed.
+// Dots from the hands to the finger, and a ring round the finger.
 void draw_thread(DrawList& list, const Thread& thread, float alpha, float u) {
     constexpr float kPitchU = 11.0F;
     constexpr float kRingU = 12.0F;

@@ -1,6 +1,6 @@
-// What is drawn round the clay itself, anew each frame: the calm belt that says where a touch takes hold, the
-// arrow that says which way, the thread from a finger to hands that lag behind it, and the hatched band that
-// warns. Main thread. Pixels.
+// Draws the cues on the clay, every frame: the belt where a touch takes hold, the arrow in the direction of
+// motion, the thread from a finger to hands that lag behind it, and the hatched band of a warning. Main
+// thread. Pixels.
 #pragma once
 
 #include <string_view>
@@ -10,40 +10,41 @@
 
 namespace onggi::screens {
 
-// A stretch of the clay: its upper and lower edge, from left to right.
+// A band of the clay: its upper and lower edge, from left to right.
 struct Band {
     std::vector<vec2> upper{};
     std::vector<vec2> lower{};
 };
 
-// Why the clay does less than the finger asks; none: it does all.
+// The reason why the clay follows the finger only in part, if it does.
 enum class CueGuard { kNone, kNoMoreClay, kAsNarrow, kAsWide, kAsLow, kNearLimit };
 constexpr int kCueGuardCount = 6;
-// Key of its words; empty for none.
+// The key of its text; empty for kNone.
 [[nodiscard]] std::string_view key_of(CueGuard guard);
 
-// The way a hand goes, as the screen has it.
+// The direction of a hand's motion on the screen.
 enum class CueWay { kNone, kLeft, kRight, kDown, kUp };
 
 struct Thread {
     vec2 finger_px{0.0F};
     vec2 hand_px{0.0F};
-    float strength = 0.0F;  // 0: none, to 1
+    float strength = 0.0F;  // 0 to 1
 };
 
 struct Cue {
-    Band belt{};               // empty: none
-    std::vector<vec2> ring{};  // instead of it, on top of the clay: where the middle is opened; closed
+    Band belt{};  // may be empty
+    std::vector<vec2>
+        ring{};  // replaces the belt on top of the clay, where the middle is opened; a closed line
     Thread thread{};
     CueWay way = CueWay::kNone;
-    vec2 way_px{0.0F};  // where the arrow begins
+    vec2 way_px{0.0F};  // start of the arrow
     CueGuard guard = CueGuard::kNone;
-    bool words_on_left = false;  // of the belt: where the hand is not
+    bool words_on_left = false;  // words left of the belt, away from the hand
 };
 
-// alpha: 0 to 1, how much of it is there.
+// alpha is its opacity, 0 to 1.
 void draw_cue(ui::DrawList& list, const Cue& cue, float alpha, float px_per_u);
-// drift: 0 to 1, how far the hatch has gone of one of its steps.
+// drift is the hatch's offset in steps, 0 to 1.
 void draw_warning(ui::DrawList& list, const Band& band, float drift, float px_per_u);
 
 }  // namespace onggi::screens

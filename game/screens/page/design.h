@@ -1,5 +1,5 @@
 // The design as numbers: colours, type, distances, in u. One u is 1/720 of a 16:9 picture's height. Any
-// thread; constant. Contrast of every pair that is used is held by a test.
+// thread; constant. A test checks the contrast of every pair in use.
 #pragma once
 
 #include "engine/ui/colour.h"
@@ -41,11 +41,11 @@ inline constexpr Colour kShelf = hex(0x70573f);
 inline constexpr Colour kShelfEdge = hex(0x7d5c3a);
 inline constexpr Colour kRule = hex(0xd3c3a8);
 
-// What rests: of a picture's own strength, and words on the ledge beside it.
+// Disabled controls: the opacity of a picture, and the colour of words on the ledge.
 inline constexpr float kRestingAlpha = 0.45F;
 inline constexpr Colour kRestingWords = hex(0x948a7f);
 
-// The paper's colours of Fig. 6; their sum is black there and black with a pale edge here.
+// The paper's colours of Fig. 6; the sum is black there, and black with a pale edge here.
 inline constexpr Colour kStiffness = hex(0xf79a4b);
 inline constexpr Colour kViscosity = hex(0x7fbcf5);
 inline constexpr Colour kFriction = hex(0x8fd67a);
@@ -53,13 +53,13 @@ inline constexpr Colour kFriction = hex(0x8fd67a);
 inline constexpr float kMargin = 32.0F;
 inline constexpr float kLeastTextSize = 26.0F;
 
-// How words are set, before the visitor asks for larger ones.
+// The type of words at the default text size.
 enum class Face { kPlain, kBold, kSerif };
 struct Type {
     float size;
     float line;
     Face face = Face::kPlain;
-    float least_size = kLeastTextSize;  // may shrink to this to fit its box
+    float least_size = kLeastTextSize;  // the smallest size to fit a box
 
     [[nodiscard]] constexpr Type times(float scale) const {
         return {size * scale, line * scale, face, least_size};
@@ -79,19 +79,18 @@ inline constexpr Type kHeading = bold(28.0F, 38.0F);
 inline constexpr Type kBody{30.0F, 40.0F};
 inline constexpr Type kLine{28.0F, 40.0F};
 inline constexpr Type kReading{27.0F, 36.0F};
-inline constexpr Type kName = bold(27.0F, 34.0F);  // of a step, beside its controls
+inline constexpr Type kName = bold(27.0F, 34.0F);  // a step's name beside its controls
 inline constexpr Type kNote{26.0F, 34.0F};
 inline constexpr Type kPaper{26.0F, 33.0F};  // on a card of paper
 inline constexpr Type kLabel{26.0F, 32.0F};  // below a control
 
 inline constexpr float kLeastTarget = 50.0F;  // the ends of a stepper, the staff's keys
-// A 24 inch panel of 1080 lines, on which u was chosen.
+// The panel for which u was chosen: 24 inches, 1080 lines.
 inline constexpr float kMmPerU = 0.4151F;
-// Height of a capital in ems, of the lowest of the families: Noto Sans and Serif.
+// Cap height in ems of the families with the lowest capitals, Noto Sans and Serif.
 inline constexpr double kCapitalFraction = 0.719;
 
-// Families in the order in which they are asked; Arabic has its own first, so that its digits and marks
-// match.
+// Families in order of preference; Arabic texts have an Arabic family first, so that digits and marks match.
 inline constexpr const char* kUiFamily = "NanumSquareRound, Noto Sans Arabic, Noto Sans";
 inline constexpr const char* kUiFamilyArabic = "Noto Sans Arabic, NanumSquareRound, Noto Sans";
 inline constexpr const char* kTitleFamily = "NanumMyeongjo, Noto Naskh Arabic, Noto Serif";

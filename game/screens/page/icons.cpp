@@ -18,7 +18,7 @@ struct Stroke {
     std::string_view path;
     std::optional<ui::Colour> fill{};
     float width = 3.6F;
-    std::optional<ui::Colour> own{};  // instead of the icon's colour
+    std::optional<ui::Colour> own{};  // replaces the icon's colour
 };
 
 constexpr ui::Colour kMetal = ui::hex(0xc9bfae);

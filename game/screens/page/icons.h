@@ -1,4 +1,4 @@
-// The pictures on the tokens, as strokes in a field of 64 x 64. Any thread; constant.
+// The icons of the tokens, as strokes in a field of 64 x 64. Any thread; constant.
 #pragma once
 
 #include <string>
@@ -65,14 +65,14 @@ enum class Icon {
 };
 constexpr int kIconCount = static_cast<int>(Icon::kWave) + 1;
 
-// The icon in a square of `side` u with its top left at `at`.
+// Adds the icon in a square of `side` u with its top left at `at`.
 void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke);
-// The same with every fill replaced: none, or one colour. For steps that are done or still to come.
+// The same with every fill removed or replaced by one colour, for steps that are done or still to come.
 void add_icon(ui::Sketch& sketch, Icon icon, vec2 at, float side, const ui::Colour& stroke,
               const std::optional<ui::Colour>& fill);
 
-// A coil of clay from its middle outwards, as far as the fraction says, in a square of kSpiralSide; 13 wide
-// where its turns are to touch.
+// The path of a coil of clay from its middle outwards, up to the fraction, in a square of kSpiralSide; with a
+// stroke width of 13 its turns touch.
 constexpr float kSpiralSide = 360.0F;
 [[nodiscard]] std::string spiral_path(float fraction);
 

@@ -1,5 +1,5 @@
-// The shapes of picture that the design knows, and what the camera has to know of them: where the ledge
-// begins. Any thread; pure. u, unless a name says px.
+// The picture shapes of the design, and the ledge's edge for the camera. Any thread; pure. u, unless a name
+// says px.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,8 @@ template <typename T>
     return shape == Shape::kWide ? wide : shape == Shape::kSquare ? square : tall;
 }
 
-// What the designs of the shapes are drawn on: 1280 x 720 u, 720 x 1280, 1024 x 768. A picture of another
-// shape has at least so much room each way, so that what is laid out from one edge never meets what is laid
-// out from the other.
+// The design sizes of the shapes: 1280 x 720 u, 720 x 1280, 1024 x 768. A picture of another shape is at
+// least this large in each direction, so that items laid out from opposite edges never meet.
 [[nodiscard]] inline vec2 design_size(Shape shape) {
     return by_shape(shape, vec2(1280.0F, 720.0F), vec2(1024.0F, 768.0F), vec2(720.0F, 1280.0F));
 }
@@ -34,14 +33,13 @@ template <typename T>
     return std::min(static_cast<float>(width_px) / design.x, static_cast<float>(height_px) / design.y);
 }
 
-// How much further the ledge reaches up for larger text; 1 to 3: 100, 150, 200 %. Not where everything has to
-// stay within a short reach.
+// The ledge's extra height for larger text (1 to 3: 100, 150, 200 %); none with low controls.
 [[nodiscard]] inline float ledge_growth(const kiosk::Comfort& comfort) {
     if (comfort.reach || comfort.text_size <= 1) return 0.0F;
     return comfort.text_size == 2 ? 50.0F : 94.0F;
 }
 
-// The ledge's upper edge on a picture that is so many u high.
+// The ledge's upper edge on a picture `height` u high.
 [[nodiscard]] inline float ledge_y(Shape shape, float height, const kiosk::Comfort& comfort) {
     return height - by_shape(shape, 146.0F, 210.0F, 380.0F) - ledge_growth(comfort);
 }

@@ -10,7 +10,7 @@ using ui::Rect;
 
 namespace {
 
-constexpr float kBelow = 8.0F;  // the ring goes round a control and not through its label
+constexpr float kBelow = 8.0F;  // room for the focus ring between a control and its label
 
 }  // namespace
 
@@ -120,7 +120,7 @@ Rect add_paper(Page& page, const Rect& most, const std::vector<Words>& lines) {
 }
 
 void add_hand_pad(Page& page) {
-    // Right above the ledge and as on a keyboard, because a cross would leave the lower half.
+    // Directly above the ledge and arranged as on a keyboard, because a cross would not fit the lower half.
     const float edge = page.is_tall() ? 24.0F : 32.0F;
     const Rect pad = page.mirrored({page.width() - edge - 264.0F, ledge_top(page) - 172.0F, 264.0F, 164.0F});
     const bool out_is_right = !page.view().state.comfort.left_hand;

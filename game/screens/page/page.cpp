@@ -23,9 +23,11 @@ constexpr float kShadowReach = 14.0F;  // of a token, u
 
 constexpr float kMuseumElevationRad = 0.12F;
 
-// Compositions a painting may sit out: a panel is opened and closed again without painting all anew.
+// Number of compositions for which an unused painting is kept, so that opening and closing a panel repaints
+// nothing.
 constexpr int kPatience = 24;
-// And how much of them may, the newest first: a screen with a pot that turns, but not all of a visit's.
+// Limit of the unused paintings' memory, newest first: enough for a screen with a turning pot, but not for a
+// whole visit.
 constexpr std::size_t kMostUnusedBytes = std::size_t{6} << 20U;
 
 std::size_t bytes_of(const ui::Painting& painting) {
@@ -73,7 +75,7 @@ Page::Page(const View& view, ui::Painter& painter, PaintingStore& store)
 
 float Page::smaller(float size, float base) const {
     constexpr float kStep = 0.96F;
-    constexpr float kLargeText = 1.5F;  // where the middle of the three sizes begins
+    constexpr float kLargeText = 1.5F;  // from here on the middle of the three sizes
     const float least = base * legible_scale_;
     const float below = 0.9999F * size;
     if (size <= 1.0001F * least) return kStep * size;
@@ -97,7 +99,7 @@ std::string Page::digits(std::string_view number, int place) const {
 
 std::string Page::measure(std::string_view number, std::string_view unit_key, int place) const {
     // Number and unit stay in this order and on one line, also inside Arabic: U+00A0 between them. The number
-    // is fenced off as left-to-right (U+2066 to U+2069), so that "91 x 154" does not turn round.
+    // is isolated as left-to-right (U+2066 to U+2069), so that "91 x 154" is not reversed.
     return "\u2066" + digits(number, place) + "\u2069\u00a0" + language(place).shown(unit_key);
 }
 
@@ -181,7 +183,7 @@ float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
     type.size *= text_scale_;
     ui::Text text;
     ui::TextSize size;
-    // As large as asked for, or as large as fits.
+    // Tries the wanted size, then smaller ones until it fits.
     for (;; type.size = std::max(type.least_size, smaller(type.size, wanted.type.size))) {
         type.line = type.size * line_ratio;
         text = {.words = words.text, .style = style(words), .width = rect.width};
@@ -192,7 +194,7 @@ float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
     const bool from_right = (words.align == ui::Align::kStart) == rtl;
     float x = from_right ? rect.right() - size.width : rect.x;
     if (words.align == ui::Align::kCentre) x = rect.x + 0.5F * (rect.width - size.width);
-    constexpr float kLean = 6.0F;  // letters lean out of their boxes
+    constexpr float kLean = 6.0F;  // letters overhang their boxes
     const float width = size.width + 2.0F;
     ui::Sketch sketch;
     text.width = width;
@@ -279,7 +281,7 @@ int Page::add_target(const Rect& rect, kiosk::Button button, int value, std::str
     return static_cast<int>(composition_.targets.size()) - 1;
 }
 
-// Above the ring, or below it where there is no room or words stand.
+// Places the name above the ring, or below it where there is no room or other words are.
 void Page::name_ring(const Rect& ring, const std::string& name) {
     constexpr float kEdge = 24.0F;
     const float high = 20.0F + 32.0F * text_scale_;
@@ -307,7 +309,7 @@ void Page::name_ring(const Rect& ring, const std::string& name) {
 }
 
 Composition Page::take() {
-    // The ring on what keyboard or switch would press now, and its name beside it.
+    // Draws the ring on the target of keyboard or switch, with its name.
     const int focus = view_.focus;
     if (focus >= 0 && focus < static_cast<int>(composition_.targets.size())) {
         const Target target = composition_.targets[static_cast<std::size_t>(focus)];
@@ -325,7 +327,7 @@ Composition Page::take() {
 
 // The design's parts: tokens, steppers, cards, niches.
 
-// A glazed pebble with a foot of bare clay; pressed, it sinks until the foot is gone.
+// A glazed pebble with a foot of bare clay; when pressed it sinks until the foot is hidden.
 void Page::token_body(ui::Sketch& sketch, const Rect& rect, Look look, bool pressed) const {
     const float radius = std::min(40.0F, 0.5F * rect.height);
     if (look == Look::kOutline) {
@@ -383,7 +385,7 @@ int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_v
     const float gap = is_narrow ? 6.0F : icon ? 12.0F : 0.0F;
     Words words{.text = std::string(name), .type = design::bold(30.0F, 38.0F), .colour = ink};
     const float room = rect.width - (is_narrow ? 20.0F : 36.0F) - icon_side - gap;
-    // One line, as large as it can be, clear of the rounded corners.
+    // One line, as large as fits between the rounded corners.
     float& size = words.type.size;
     const float base = size;
     size *= text_scale_;
@@ -402,7 +404,7 @@ int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_v
         sprite({icon_x, middle - 0.5F * icon_side, icon_side, icon_side}, std::move(sketch), target);
         if (!icon_last) x += icon_side + gap;
     }
-    const float scale = std::exchange(text_scale_, 1.0F);  // the size is found already
+    const float scale = std::exchange(text_scale_, 1.0F);  // the size is already scaled
     words.align = right_to_left() ? ui::Align::kEnd : ui::Align::kStart;
     const float box_width = std::max(wide, std::min(room, wide + 1.0F)) + 1.0F;
     this->words({x, middle - 0.5F * words.type.line, box_width, words.type.line + 1.0F}, words);
@@ -536,7 +538,7 @@ Rect Page::languages_token(const Rect& low) {
 
 void Page::look_in_token(const Rect& languages) {
     const bool inside = view_.state.throwing.looks_in;
-    // Towards the middle of the picture.
+    // The label is on the side of the picture's middle.
     const bool is_right_of = languages.centre().x < 0.5F * width();
     const Rect rect{is_right_of ? languages.right() + 16.0F : languages.x - 100.0F, languages.y - 3.0F, 84.0F,
                     66.0F};
@@ -579,11 +581,11 @@ void Page::toggle(const Rect& rect, Icon icon, bool on, kiosk::Button button, co
     sprite(rect.grown(kShadowReach), std::move(sketch), target);
 }
 
-// The places in which screens stand: the museum's wall and shelf, the ledge of the bench.
+// The backgrounds of screens: the museum's wall and shelf, the ledge of the bench.
 
 void Page::museum(vec2 light, vec2 reach, float strength) {
     covers();
-    // A radial fall-off as a grid of shaded boxes: a processor fills those five times as fast as a texture.
+    // A radial fall-off as a grid of shaded boxes, which a processor fills five times as fast as a texture.
     constexpr int kColumns = 32;
     constexpr int kRows = 18;
     const Rect& bounds = composition_.bounds;
@@ -611,7 +613,7 @@ void Page::museum(vec2 light, vec2 reach, float strength) {
 
 void Page::shelf(float top, float thickness) {
     const float wide = width();
-    // The upper face lit towards its middle, and a paler front edge.
+    // The upper face is lit towards its middle and has a paler front edge.
     const Colour middle = design::kShelf;
     const Colour end = ui::mix(design::kShelf, design::kNight, 0.45F);
     const float face = thickness * 0.72F;
@@ -731,7 +733,7 @@ std::shared_ptr<const TurningPot> PaintingStore::turning(const pot::Section& sha
     return kept.value;
 }
 
-// The bytes of what has sat out that many compositions, by that number.
+// Sums the bytes of unused paintings by the number of compositions since their last use.
 void PaintingStore::forget_unused() {
     if (paints_ != Paints::kAll) return;
     std::array<std::size_t, kPatience + 1> unused_bytes{};

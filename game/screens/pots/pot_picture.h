@@ -1,6 +1,5 @@
-// A small picture of a finished pot, painted on a processor beside the frame: for shelves, niches and cards,
-// where many pots stand that nobody touches. Parallel view, slightly from above; window light from the left.
-// Any thread; pure.
+// A small picture of a finished pot, painted on a processor beside the frame: for the many pots of shelves,
+// niches and cards. Orthographic view, slightly from above; window light from the left. Any thread; pure.
 #pragma once
 
 #include "engine/ui/painting.h"
@@ -9,7 +8,7 @@
 
 namespace onggi::screens {
 
-// How large its picture is, pixels, and where in it the middle of the foot stands.
+// The size of its picture in pixels, and the place of the foot's centre in it.
 struct PotExtent {
     int width_px = 0;
     int height_px = 0;
@@ -19,7 +18,7 @@ struct PotExtent {
 
 struct PotPicture {
     ui::Painting painting;
-    // Where the middle of the foot stands, pixels from the top left.
+    // The foot's centre, pixels from the top left.
     vec2 foot_px{0.0F};
 };
 

@@ -9,11 +9,11 @@ namespace onggi::screens {
 namespace {
 
 constexpr float kWhole = 65535.0F;
-// Round the pot: a power of two, one for each pixel that is seen in front or two.
+// Columns round the pot: a power of two, one or two per visible pixel in front.
 int columns_for(int width_px) {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(width_px * 16 / 5, 64, 1024))));
 }
-// And up it: about as many as pixels.
+// Rows up the pot: about one per pixel.
 int rows_for(int height_px) {
     return std::clamp(height_px * 9 / 10, 64, 1024);
 }
@@ -33,7 +33,7 @@ class Encoding {
             table_[i] = 255.0F * encoded_pot_light(light * light / kMost).x;
         }
     }
-    // Finer in the dark, as eyes are: the table goes by the root of the light.
+    // Indexed by the square root of the light, for finer steps in the dark.
     [[nodiscard]] float operator()(float light) const {
         const float root = std::sqrt(std::clamp(light, 0.0F, kMost) / kMost);
         return table_[static_cast<std::size_t>(root * static_cast<float>(table_.size() - 1) + 0.5F)];
@@ -46,7 +46,7 @@ class Encoding {
 
 }  // namespace
 
-// Where nothing is drawn outside, it looks there as it does inside.
+// Without a decoration, outside and inside share their rows.
 PotColours::PotColours(float height_mm, const finish::GlazeMaterial& glaze, const PotShading& shading,
                        const PotExtent& extent, bool is_drawn_on)
     : columns_(columns_for(extent.width_px)),
@@ -55,7 +55,7 @@ PotColours::PotColours(float height_mm, const finish::GlazeMaterial& glaze, cons
       foot_bare_mm_(glaze.foot_bare_mm),
       inside_from_(is_drawn_on ? rows_ + 1 : 0) {
     colours_.resize(static_cast<std::size_t>((rows_ + 1 + (is_drawn_on ? rows_ : 0)) * columns_));
-    fill(inside_from_, true, shading);  // glazed down to the foot; the foot has a row of its own
+    fill(inside_from_, true, shading);  // glazed down to the foot, which has its own row
     if (is_drawn_on) fill(0, false, shading);
     std::fill_n(colours_.begin() + static_cast<std::ptrdiff_t>(rows_) * columns_, columns_,
                 packed(glaze.body));
@@ -128,7 +128,7 @@ void add_pixels(const PotSamples& samples, const LitPot& pot, std::vector<PotPix
             PotPixel pixel;
             std::optional<bool> inside;
             const int count = samples.visit_pixel(x, y, [&](const PotSurface& surface) {
-                // Colours are of the first sample's side: where the rim runs through a pixel, both are near.
+                // Uses the colours of the first sample's side; in a pixel on the rim both sides are similar.
                 if (!inside) inside = surface.inside;
                 const PotLight light = pot.shading.light(surface);
                 pixel.factor += light.factor;

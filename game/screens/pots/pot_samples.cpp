@@ -9,11 +9,11 @@
 namespace onggi::screens {
 namespace {
 
-// Such that the middle of an edge lies a seventh of a pixel inside the circle at most: R (1 - cos(pi/n)).
+// Keeps the middle of an edge within a seventh of a pixel of the circle: R (1 - cos(pi/n)).
 int corners_of(float radius_px) {
     return radius_px < 48.0F ? 48 : radius_px < 192.0F ? 96 : 192;
 }
-// Between the rows. No less than what the sections of pots show.
+// The distance between rows, not finer than the sections of pots.
 float finest_mm(float px_per_mm) {
     return std::max(1.2F, 0.75F / px_per_mm);
 }
@@ -24,12 +24,12 @@ float cross(vec2 a, vec2 b) {
 
 using Corner = PotView::Corner;
 
-// Samples with a depth.
+// The samples and their depths.
 class Canvas {
   public:
     explicit Canvas(PotSamples& into) : into_(into), depth_(into.surface.size(), -1e9F) {}
 
-    // What looks away from the eye lies behind what looks at it, and is left out.
+    // Skips back faces, which front faces hide.
     void triangle(const Corner& a, const Corner& b, const Corner& c) {
         const float area = cross(b.px - a.px, c.px - a.px);
         if (area > -1e-6F) return;
@@ -68,7 +68,7 @@ class Canvas {
     std::vector<float> depth_;
 };
 
-// Points no further apart than a pixel or so, so that the rings' normals are smooth.
+// Inserts points about a pixel apart, so that the rings' normals are smooth.
 std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
     std::vector<vec2> fine;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -84,7 +84,7 @@ std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
         const int pieces = std::max(1, static_cast<int>(std::ceil(glm::length(c - b) / most_mm)));
         for (int piece = 0; piece < pieces; ++piece) {
             const float t = static_cast<float>(piece) / static_cast<float>(pieces);
-            // Catmull and Rom, 1974.
+            // A Catmull-Rom spline (Catmull and Rom, 1974).
             const vec2 point = 0.5F * (2.0F * b + (c - a) * t + (2.0F * a - 5.0F * b + 4.0F * c - d) * t * t +
                                        (3.0F * b - a - 3.0F * c + d) * t * t * t);
             fine.push_back({std::max(0.0F, point.x), std::max(0.0F, point.y)});
@@ -94,14 +94,14 @@ std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
     return fine;
 }
 
-// The whole section as one line, up the outside and down the inside to the disc that is the floor.
+// The section as one line, up the outside and down the inside to the disc of the floor.
 pot::Walk walk_of(const pot::Section& shape, float row_mm) {
     pot::Walk walk;
     for (const std::vector<vec2>* side : {&shape.outside, &shape.inside}) {
         for (const vec2& point : refined(*side, row_mm)) {
             const pot::SurfaceRow row{
                 .y_mm = double{point.y}, .radius_mm = double{point.x}, .inside = side == &shape.inside};
-            // What runs into the axis ends in a disc.
+            // A line that reaches the axis ends in a disc.
             const bool is_point = row.radius_mm < pot::kNarrowestOpeningMm;
             const bool is_new =
                 walk.rows.empty() || distance_mm(walk.rows.back(), row) >= pot::kNearestRowsMm;
@@ -125,8 +125,7 @@ PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad
     const float sine = std::sin(elevation_rad);
     const float cosine = std::cos(elevation_rad);
     const vec2 origin = extent_.foot_px * static_cast<float>(kSamplesAcross);
-    // The clay's direction 0 is at the back, where what differs between the first corner and the last is not
-    // seen.
+    // The clay's direction 0 is at the back, where the seam between the first and last corner is hidden.
     const auto turned = [](const dvec3& way) { return vec3(way.z, way.y, -way.x); };
     corners_.resize(surface.positions_mm.size());
     for (const pot::SurfaceBuilder::Strip& strip : surface.strips()) {

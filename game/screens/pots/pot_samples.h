@@ -1,4 +1,4 @@
-// The samples of a pot's surface that a picture of it shows: a depth buffer on a processor. Any thread; pure.
+// The visible samples of a pot's surface: a depth buffer on the processor. Any thread; pure.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace onggi::screens {
 
-// Several samples a pixel, each way; rows from the top.
+// Samples per pixel in each direction; rows from the top.
 constexpr int kSamplesAcross = 2;
 
-// Of the picture or of a band across it.
+// The samples of the picture or of a band.
 struct PotSamples {
-    int width = 0;  // in samples; whole pixels
+    int width = 0;  // in samples, a whole number of pixels
     int height = 0;
-    int top = 0;  // of the picture's rows of samples, the first
+    int top = 0;  // its first row of samples in the picture
     std::vector<PotSurface> surface{};
     std::vector<char> covered{};
 
-    // Calls visit(surface) for the samples of a pixel that show some of the pot; how many they are.
+    // Calls visit(surface) for the samples of a pixel that show the pot; returns their number.
     template <typename Visit>
     int visit_pixel(int x, int y, Visit visit) const {
         int count = 0;
@@ -37,17 +37,17 @@ struct PotSamples {
     }
 };
 
-// So many rows of pixels at a time take a MB or two, where the whole of a large picture takes 30.
+// Rows of pixels per band: a band takes 1 or 2 MB, a whole large picture 30.
 constexpr int kBandPx = 32;
 
 // Rows of pixels.
 struct PotBand {
     int top_px = 0;
-    int height_px = std::numeric_limits<int>::max();  // as far as the picture goes
+    int height_px = std::numeric_limits<int>::max();  // to the picture's end
 };
 
-// A pot in a parallel view, elevation_rad above the horizon: its surface, built once, and samples of any
-// band. A sample is the same to the bit in any band.
+// A pot in an orthographic view, elevation_rad above the horizon: its surface, built once, and the samples of
+// any band. A sample is bit-identical in every band.
 class PotView {
   public:
     PotView(const pot::Section& shape, float px_per_mm, float elevation_rad);
@@ -70,7 +70,7 @@ class PotView {
   private:
     PotExtent extent_;
     std::vector<Corner> corners_;
-    std::vector<std::uint32_t> indices_;  // of triangles; those that look away lie behind those that do not
+    std::vector<std::uint32_t> indices_;  // of triangles; back faces are hidden by front faces
 };
 
 }  // namespace onggi::screens

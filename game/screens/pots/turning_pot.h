@@ -1,5 +1,5 @@
-// A picture of a finished pot that turns: what stays where it is - light, gloss, outline - is worked out
-// once, and each picture then costs one look at the pot's own colours a pixel. Any one thread.
+// A picture of a finished pot that turns: the fixed part (light, gloss, outline) is computed once, and each
+// picture then costs one colour lookup per pixel. Any one thread.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@ namespace onggi::screens {
 
 class TurningPot {
   public:
-    // About as slow as paint_pot(), which shows it as it stands.
+    // Takes about as long as paint_pot(), which paints one view.
     TurningPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
                float elevation_rad);
 
     [[nodiscard]] vec2 foot_px() const { return extent_.foot_px; }
     [[nodiscard]] int width_px() const { return extent_.width_px; }
     [[nodiscard]] int height_px() const { return extent_.height_px; }
-    // What it holds.
+    // Its memory.
     [[nodiscard]] std::size_t bytes() const { return pixels_.size() * sizeof(PotPixel) + colours_.bytes(); }
-    // turn: how far it has turned, 0 to 1 and round again.
+    // turn: the rotation in turns, modulo 1.
     [[nodiscard]] std::shared_ptr<const ui::Painting> at(double turn) const;
 
   private:

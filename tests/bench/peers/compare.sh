@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# compare.sh [CORE [ROUNDS]]: a frame of ours beside VTK and three.js, each on the same one core (0), at 1280x720, in
-# turns: a machine that others share has quick and slow seconds, and a round of a few seconds meets all alike. The peers
-# draw the smooth pot as a mesh of 256 x 128, one light, no shadow, a plain background; ours draws the whole scene, lit by
-# its room too; three.js is timed so as well, and with nothing but a floor under the pot, which says nothing about what is
-# wanted.
-# Prints a table: the middle round's p50, the worst p99 (of so few frames a peer's slowest), the middle of the rounds'
-# ratios; 1 where one is below what is wanted (3 for VTK, 25 for three.js).
-# Needs a release build, and Debian's python3-vtk9, xvfb, chromium; node, and npm ci in tests/web.
+# compare.sh [CORE [ROUNDS]]: compares a frame of onggi with VTK and three.js, each on the same core (0), at
+# 1280x720, in turns: a shared machine has fast and slow seconds, and a round of a few seconds treats all
+# alike. The peers draw the smooth pot as a mesh of 256 x 128, one light, no shadow, a plain background; onggi
+# draws the whole scene with the light of its room; three.js is also timed with room light, and with only a
+# floor under the pot, for information. Prints a table: the middle round's p50, the worst p99 (with so few
+# frames a peer's slowest one), the median of the rounds' ratios; exits with 1 if a ratio is below its goal (3
+# for VTK, 25 for three.js). Needs a release build, and Debian's python3-vtk9, xvfb, chromium; node, and npm
+# ci in tests/web.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 core=${1:-0}

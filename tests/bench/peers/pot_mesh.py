@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """pot_mesh.py PROFILE.csv OUT.glb: the outer face of a thrown pot (onggi throw --profile) as a mesh of 256 rings and 128
-sectors: what the peers draw. glTF 2.0, metres, +Y up."""
+sectors, for the peers. glTF 2.0, metres, +Y up."""
 import csv
 import json
 import math

@@ -1,5 +1,5 @@
-// What the wheel shows by itself: which recordings, what where one is missing, and that the kiosk's loop
-// makes of them the pots that they made when they were recorded.
+// Demonstrations: the choice of recordings, missing ones, and that the kiosk's loop reproduces the recorded
+// pots.
 #include "game/app/kiosk/presentation/demonstrations.h"
 
 #include <gtest/gtest.h>
@@ -98,8 +98,8 @@ TEST(Show, IsTheGestureWhereThereIsNoRecordingAndNothingWhereThereIsNeither) {
     EXPECT_EQ(remarks.size(), 4U);
 }
 
-// Played ten times as finely as it was recorded, a finger goes straight on while it presses, and neither
-// slides away as it lifts nor comes sliding as it lands.
+// Played at ten times the recorded rate, a pressing finger is interpolated, but not between lifting and
+// landing.
 TEST(DemonstrationHand, IsWhereItLiftsAndWhereItLandsAndNotBetween) {
     const test::TemporaryFolder folder;
     haptic::Start start{lump(), {}};
@@ -186,7 +186,7 @@ TEST_F(Wheel, MakesThePotOfTheRecordingAndKnowsWhenItIsOver) {
     const haptic::Snapshot& end = work_->newest_snapshot();
     EXPECT_NEAR(played_s(end.tick, 0, kRateHz).value_or(0.0), jar.seconds(), 0.01);
     EXPECT_FALSE(played_s(end.tick, 1, kRateHz));
-    // Of the sessions' own test: 171.2 mm high, at the recorded rate.
+    // The height at the recorded rate is 171.2 mm, by the sessions' own test.
     EXPECT_NEAR(work_->state().height_mm(), 171.2, 0.3);
     EXPECT_EQ(end.body, clay::ClayBody::kPorcelain);
     EXPECT_EQ(end.fault, haptics::Fault::kNone);

@@ -1,4 +1,4 @@
-// A program is asked to end by signals; each case is a process of its own, for a signal that has come stays.
+// Signals that end the program; each case runs in its own process, because a received signal stays recorded.
 #include "game/app/system/end_signal.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 [[noreturn]] void ask(int signal, bool locked) {
     sigset_t all;
     sigfillset(&all);
-    sigprocmask(SIG_SETMASK, &all, nullptr);  // as a starter may leave it
+    sigprocmask(SIG_SETMASK, &all, nullptr);  // as a parent process may leave it
     note_end_signals(locked);
     raise(signal);
     std::exit(end_was_asked() ? 1 : 0);

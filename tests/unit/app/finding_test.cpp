@@ -85,7 +85,7 @@ TEST(SystemProbes, SayWhatTheKiosksSettingsWantOrThatThereAreNone) {
     ASSERT_EQ(none.size(), 1U);
     EXPECT_EQ(none[0].verdict, Verdict::kNote);
     EXPECT_EQ(none[0].found,
-              "none in " + file + ": the kiosk begins with its own unless --config names others");
+              "none in " + file + ": the kiosk starts with defaults unless --config names settings");
 
     const std::string gallery = folder / "not/yet/there";
     test::put_file(file,
@@ -99,7 +99,7 @@ TEST(SystemProbes, SayWhatTheKiosksSettingsWantOrThatThereAreNone) {
     EXPECT_EQ(usual[0].found, file +
                                   ": visits begin in ko, of ko, en; unforgiving clay; a PIN for the staff; "
                                   "locked; open 09:30 to 17:05");
-    EXPECT_EQ(usual[0].found.find("1234"), std::string::npos) << "a PIN is nobody else's";
+    EXPECT_EQ(usual[0].found.find("1234"), std::string::npos) << "a PIN is private";
     EXPECT_EQ(usual[1].subject, "gallery");
     EXPECT_EQ(usual[1].verdict, Verdict::kGood) << usual[1].found;
     EXPECT_NE(usual[1].found.find(gallery), std::string::npos);
@@ -117,13 +117,13 @@ TEST(SystemProbes, SayWhatIsWrongWithTheKiosksSettings) {
     EXPECT_NE(wrong[0].found.find("line 2"), std::string::npos) << wrong[0].found;
     EXPECT_EQ(probe_settings(folder / "none.toml")[0].verdict, Verdict::kLacking) << "it was asked for";
 
-    // A disk of a million MB may be there.
+    // A machine may have a disk of a million MB.
     test::put_file(file, "[gallery]\nleast_free_mb = 1000000\nfolder = \"" + folder.path().string() + "\"\n");
     const bool is_full = std::filesystem::space(folder.path()).available < 1'000'000'000'000;
     const std::vector<Finding> full = probe_settings(file);
     EXPECT_EQ(full.back().subject, "gallery");
     EXPECT_EQ(full.back().verdict, is_full ? Verdict::kLacking : Verdict::kGood);
-    EXPECT_EQ(full.back().found.ends_with(", the settings ask for 1000000"), is_full) << full.back().found;
+    EXPECT_EQ(full.back().found.ends_with(", the settings require 1000000"), is_full) << full.back().found;
 }
 
 TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
@@ -149,7 +149,7 @@ TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
     ::close(*listening);
     const Finding silent = sharing("listen = \"127.0.0.1\"\nport = " + port + "\n").back();
     EXPECT_EQ(silent.verdict, Verdict::kLacking);
-    EXPECT_EQ(silent.found, "nobody answers at 127.0.0.1, port " + port);
+    EXPECT_EQ(silent.found, "no answer from 127.0.0.1, port " + port);
     EXPECT_NE(silent.remedy.find("onggi-share"), std::string::npos);
     const Finding unknown = sharing("listen = \"wlan77\"\n").back();
     EXPECT_EQ(unknown.verdict, Verdict::kLacking);
@@ -166,7 +166,7 @@ TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
 TEST(Findings, SayWhoHearsTheStopKey) {
     const Finding none = probe_stop_keys("/no/such/folder");
     EXPECT_EQ(none.verdict, Finding::Verdict::kNote);
-    EXPECT_NE(none.found.find("the window alone"), std::string::npos) << none.found;
+    EXPECT_NE(none.found.find("in the window only"), std::string::npos) << none.found;
     EXPECT_NE(none.found.find("/no/such/folder"), std::string::npos);
 }
 

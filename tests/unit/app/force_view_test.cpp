@@ -1,4 +1,4 @@
-// What of a snapshot is shown as forces: where arrows begin and end, and which rings are lit.
+// The force view of a snapshot: the ends of the arrows, and the highlighted rings.
 #include "game/app/kiosk/presentation/force_view.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ TEST(Forces, AreDrawnInTheirPlaces) {
     pot::Pot shape;
     const haptic::Snapshot snapshot = touching(shape);
     ForceView view;
-    for (int frame = 1; frame <= 240; ++frame)  // until what is shown has settled
+    for (int frame = 1; frame <= 240; ++frame)  // until the display has settled
         view.look(snapshot, frame / 60.0);
     // 0.37 N at most: the plot is 0.5 N high, and so is an arrow of 80 mm.
     EXPECT_NEAR(view.mm_per_n(), 160.0, 1e-6);
@@ -137,7 +137,7 @@ void expect_of_snapshots(haptic::HapticState start, std::unique_ptr<haptics::Hap
 
 TEST(LitRings, AreThoseInContactOfThePapersClay) {
     const auto look = [](const haptic::Snapshot& snapshot, int& touching) {
-        // A shape that was copied a few ticks ago may be a ring off.
+        // A shape copied a few ticks ago may differ by a ring.
         if (snapshot.pot_stamp.tick != snapshot.tick) return;
         const RingSpan lit = rings_touched(*snapshot.pot, snapshot.result.forces);
         ASSERT_EQ(lit.size(), snapshot.result.forces.contacts);
@@ -153,7 +153,7 @@ TEST(LitRings, ReachOverTheRingsThatAStudioHandTouches) {
         ++touching;
         ASSERT_LT(forces.contact_low_mm, forces.contact_high_mm);
         ASSERT_GE(forces.contact_low_mm, 0.0);
-        // No hand touches what lies farther from it than it is large, its shaft apart.
+        // A hand touches nothing farther away than its radius, except with its shaft.
         ASSERT_GE(forces.contact_high_mm, snapshot.tool.position_mm.y - snapshot.tool.radius_mm - 2.0);
         // The shape is copied in pieces while rings flow: some may be off. Between a hand inside
         // and its shaft above it there are rings that neither touches.

@@ -44,7 +44,7 @@ TEST(GamepadHand, MovesTheToolByTheSticksFinelyByTheRightOne) {
     EXPECT_LT(half, 0.2 * right.step_mm.x) << "a light push moves finely";
 }
 
-TEST(GamepadHand, ForgetsNobodyAndPassesNoLimitWithTwoPads) {
+TEST(GamepadHand, CombinesTwoPadsWithinTheLimits) {
     GamepadHand hand;
     const std::array<Gamepad, 2> pads{
         {{.left_x = 1.0F}, {.slot = 1, .left_x = 1.0F, .buttons = Gamepad::kA}}};

@@ -1,4 +1,4 @@
-// Where the hands of a finger are seen: at the work, or off the clay in the pose of what a touch would begin.
+// The drawn hands of a finger: at the clay, or beside it in the pose of the next touch.
 
 #include <gtest/gtest.h>
 

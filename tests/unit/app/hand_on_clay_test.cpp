@@ -1,5 +1,5 @@
-// Touches that no finger makes, on the clay itself: what they come to, and that whoever has only keys or one
-// switch throws a pot. Simulated time.
+// Throwing without a finger: the effect of keys and of a single switch on the clay; both can throw a pot.
+// Simulated time.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ class HandOnClay : public ::testing::Test {
             frame();
         waits(0.3);
     }
-    // Until it has done what it was asked to, each time.
+    // Repeats the request, waiting each time until it is done.
     template <typename Ask>
     void works(int times, Ask ask) {
         for (int i = 0; i < times; ++i) {

@@ -1,5 +1,5 @@
-// What the house's monitoring is told, by what lies on a disk and a clock that is given: well, silent, ended,
-// fallen; and that no file, however damaged, and no clock makes it say what is not so.
+// The status for a museum's monitoring, from files and a given clock: healthy, silent, ended, crashed; no
+// damaged file and no clock may lead to a false report.
 #include "game/app/kiosk/health/house_status.h"
 
 #include <gtest/gtest.h>
@@ -108,10 +108,10 @@ TEST_F(AHouse, SeesAPictureOrALoopThatStandsStill) {
     KioskPulse stuck = busy_pulse();
     stuck.haptic_ticks += 1;
     ASSERT_TRUE(heart.beat(stuck, kNoonS + 60));
-    EXPECT_EQ(look(kNoonS + 61).why_not_well, std::vector<std::string>{"the picture stands still"});
+    EXPECT_EQ(look(kNoonS + 61).why_not_well, std::vector<std::string>{"the picture hangs"});
     stuck.frames_shown += 1;
     ASSERT_TRUE(heart.beat(stuck, kNoonS + 120));
-    EXPECT_EQ(look(kNoonS + 121).why_not_well, std::vector<std::string>{"the hand's loop stands still"});
+    EXPECT_EQ(look(kNoonS + 121).why_not_well, std::vector<std::string>{"the haptic loop hangs"});
 }
 
 TEST_F(AHouse, TellsOfFaultsSafeModeAndAFullDisk) {

@@ -1,5 +1,4 @@
-// A visit that is interrupted: its journal on a real disk, what damage leaves of it, and a wheel on which it
-// goes on.
+// An interrupted visit: its journal on a real disk, recovery after damage, and its continuation.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -74,7 +73,7 @@ Recovered recover(const fs::path& folder, double rate_hz = kRateHz) {
 
 class InterruptedVisit : public testing::Test {
   protected:
-    // From what a killed program would leave, while the journal goes on.
+    // Recovers from a copy of the journal, as after a kill, while the journal goes on.
     Recovered recover_after_a_kill(const fs::path& copy) {
         fs::copy(state_, copy, fs::copy_options::recursive);
         return recover(copy);
@@ -154,7 +153,7 @@ TEST_F(InterruptedVisit, ResumesAsFarAsItIsWhole) {
         }
         fs::remove_all(folder_ / "after");
     }
-    // A power cut leaves blocks of nothing.
+    // A power cut leaves blocks of zeros.
     test::put_file(journal, whole.substr(0, session->blocks()[1].records_at) + std::string(5000, '\0'));
     EXPECT_EQ(recover(state_).pot->history().ticks(), 1000U);
 }
@@ -282,7 +281,7 @@ TEST(InterruptedWheel, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
         ASSERT_TRUE(wheel.waits_for([&] { return !fs::exists(gallery / "state/left-over.onggi"); }))
             << "it is in its new journal";
         ASSERT_TRUE(wheel.waits_for([&] { return wheel.tick() > first + 1200; }));
-        // Back to before what was done in the life before.
+        // Undoes beyond the previous run.
         wheel.keeper->undo();
         ASSERT_TRUE(wheel.waits_for([&] { return wheel.job.newest_snapshot().states_put == 2; }))
             << wheel.words;

@@ -1,4 +1,4 @@
-// What is on the disk of a jar in the making: damaged, half written, forgotten.
+// An unfinished jar's files: damaged, partly written, abandoned.
 #include "game/app/kiosk/gallery/jar_keeping.h"
 
 #include <gtest/gtest.h>
@@ -41,14 +41,14 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 struct JarKeepingTest : testing::Test {
-    // As after a start of the program: what it finds there, and what it remarks.
+    // Reads the files as at a start, and collects the messages.
     JarKeeping found() {
         JarKeeping jar = jar_in(folder.path());
         remarks.clear();
         jar.look(remarks);
         return jar;
     }
-    // Begun, and its first bowl set aside.
+    // A jar whose first bowl is set aside.
     JarKeeping begun() {
         JarKeeping jar = jar_in(folder.path());
         EXPECT_TRUE(jar.begin("moon-jar-nmk"));

@@ -35,7 +35,7 @@ class CameraTest : public ::testing::TestWithParam<std::pair<int, int>> {
         state.screen = screen;
         return state;
     }
-    // Where the request shows a place, u.
+    // The position of a point in the requested view, u.
     dvec2 seen(const CameraRequest& request, const dvec3& place_mm) const {
         return *sight_.project(request.view, request.framing, place_mm) / u_px_;
     }

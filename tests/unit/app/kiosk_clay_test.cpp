@@ -1,4 +1,4 @@
-// Snapshots as the haptic loop would give them: the last visitor's clay for some frames more, then the new.
+// Snapshots as from the haptic loop: the last visitor's clay for some more frames, then the new one.
 #include "game/app/kiosk/visit/visit_wheel.h"
 
 #include <gtest/gtest.h>
@@ -141,7 +141,7 @@ TEST_F(KioskClayTest, IsSilentWhileTheEarlierStateIsOnItsWay) {
     ASSERT_TRUE(clay.look(sunken(low, 8000), Warning::kNone)->gave_way);
     clay.expect_state(sunken(low, 8100));
     EXPECT_FALSE(clay.look(sunken(low, 8200), Warning::kNone)) << "what sank is still there";
-    // The numbers are of the earlier state, the rings not yet.
+    // The numbers belong to the earlier state, the rings not yet.
     haptic::Snapshot between = seen(low, 4000);
     between.states_put = 1;
     EXPECT_FALSE(clay.look(between, Warning::kNone));
@@ -150,7 +150,7 @@ TEST_F(KioskClayTest, IsSilentWhileTheEarlierStateIsOnItsWay) {
     const auto news = clay.look(seen(before, 4010), Warning::kNone);
     ASSERT_TRUE(news);
     EXPECT_FALSE(news->gave_way);
-    // Should it sink again, that is said again.
+    // A second collapse is reported again.
     haptic::PotCopy again = clay_of(1, 60.0, 60.0, true);
     again.stamp.states_put = 1;
     EXPECT_TRUE(clay.look(sunken(again, 9000), Warning::kNone)->gave_way);

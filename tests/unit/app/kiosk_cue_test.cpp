@@ -1,4 +1,4 @@
-// Where the calm cue lies and when it is to be seen, on a clock of its own.
+// The calm cue's position and visibility, on a virtual clock.
 #include "game/app/kiosk/presentation/kiosk_cue.h"
 #include "tests/support/millimetre_pot.h"
 
@@ -22,7 +22,7 @@ class Cue : public testing::Test {
                           .wanted_step = step,
                           .hovers_mm = hovers_mm});
     }
-    // A wall that is drawn up for so long, at so many mm/s.
+    // Pulls a wall up for `seconds` at `mm_s`.
     std::optional<CuePlace> draws_up(double seconds, double mm_s, GripGuard guard = GripGuard::kNone) {
         std::optional<CuePlace> place;
         for (double s = 0.0; s < seconds; s += 1.0 / 60.0) {
@@ -164,7 +164,7 @@ TEST_F(Cue, LeadsFromTheFingerToHandsThatLagBehindIt) {
     EXPECT_FALSE(lifted && lifted->thread);
 }
 
-// Who gets on without a belt still sees where a finger has run ahead to.
+// An experienced visitor, without the belt, still sees the lead of the finger.
 TEST_F(Cue, ThreadStaysForWhoKnowsTheWay) {
     draws_up(3.0, 20.0);
     GripReport apart{.grip = Grip::kWall,

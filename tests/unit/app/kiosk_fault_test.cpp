@@ -1,5 +1,4 @@
-// A fault while somebody throws: what the visitor is told, when the wheel tries again, and that a mouse goes
-// on through all of it.
+// A fault during throwing: the message to the visitor, the retry, and that a mouse keeps working.
 #include "game/app/kiosk/visit/visit_wheel.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +54,7 @@ TEST(KioskFault, NeverTakesAPersonsStopBackByAClock) {
     }
 }
 
-// A device that pushes back, and what becomes of it.
+// A force-feedback device and its state.
 struct Stick {
     dvec3 position_mm{95.0, 100.0, 0.0};
     bool is_here = true;
@@ -88,7 +87,7 @@ class StickHand final : public haptics::Hand {
 constexpr dvec3 kAside(110.0, 100.0, 0.0);
 constexpr double kInwardsMmS = 10.0;  // which keeps a tool about a mm deep in the clay
 
-// The haptic loop with a mouse and a stick, on a virtual clock, and the kiosk's eye on it at 50 Hz.
+// The haptic loop with a mouse and a stick, on a virtual clock, watched by the kiosk at 50 Hz.
 class MouseAndStick {
   public:
     MouseAndStick() {
@@ -111,7 +110,7 @@ class MouseAndStick {
     void run(double seconds) {
         run(seconds, [] {});
     }
-    // The mouse comes from x and goes on inwards, as far as that takes it in this time.
+    // Moves the mouse inwards from from_x_mm for `seconds`.
     void press_with_the_mouse(double from_x_mm, double seconds) {
         double x_mm = from_x_mm;
         run(seconds, [&] {
@@ -119,7 +118,7 @@ class MouseAndStick {
             hold_mouse({x_mm, 100.0, 0.0});
         });
     }
-    // The stick has the tool, and its hand feels the clay.
+    // The stick holds the tool and feels the clay.
     void throw_with_the_stick() {
         stick.is_moving = true;
         run(2.5);
@@ -135,7 +134,7 @@ class MouseAndStick {
 
     Stick stick;
     KioskFault::Advice advice;
-    int rests = 0;  // how often the visitor was told that the force rests
+    int rests = 0;  // how often the visitor was told that the force is off
     int tries = 0;
 
   private:
@@ -172,7 +171,7 @@ class MouseAndStick {
 TEST(AFaultWhileSomebodyThrows, LeavesTheMouseItsClayAndGivesTheForceBackAfterARest) {
     MouseAndStick wheel;
     wheel.throw_with_the_stick();
-    wheel.stick.position_mm.x = std::numeric_limits<double>::quiet_NaN();  // and it goes on moving
+    wheel.stick.position_mm.x = std::numeric_limits<double>::quiet_NaN();  // and keeps moving
     wheel.run(0.1);
     EXPECT_TRUE(wheel.advice.force_rests) << "the visitor is told";
     EXPECT_EQ(wheel.stick.felt_n, 0.0);
@@ -190,7 +189,7 @@ TEST(AFaultWhileSomebodyThrows, LeavesTheMouseItsClayAndGivesTheForceBackAfterAR
     EXPECT_EQ(wheel.stick.felt_n, 0.0);
 }
 
-TEST(AFaultWhileSomebodyThrows, ThatComesAgainIsTakenBackAgainAndPushesNobody) {
+TEST(AFaultWhileSomebodyThrows, ThatRepeatsIsClearedAgainWithoutAForce) {
     MouseAndStick wheel;
     wheel.throw_with_the_stick();
     for (int time = 1; time <= 3; ++time) {
@@ -200,7 +199,7 @@ TEST(AFaultWhileSomebodyThrows, ThatComesAgainIsTakenBackAgainAndPushesNobody) {
         EXPECT_EQ(wheel.tries, time);
         EXPECT_FALSE(wheel.advice.force_rests);
         EXPECT_EQ(wheel.stick.felt_n, 0.0);
-        wheel.stick.position_mm = {95.0, 100.0, 0.0};  // sense again: it gets the tool
+        wheel.stick.position_mm = {95.0, 100.0, 0.0};  // valid again: it gets the tool
         wheel.run(1.0);
     }
 }
@@ -211,7 +210,7 @@ TEST(ADeviceThatIsLostWhileItThrows, LeavesTheClayAndTheMouseThrowsOn) {
     EXPECT_GT(wheel.contacts(), 0);
     wheel.stick.is_here = wheel.stick.is_moving = false;
     wheel.run(0.02);
-    EXPECT_EQ(wheel.stick.felt_n, 0.0) << "no force is owed to nobody";
+    EXPECT_EQ(wheel.stick.felt_n, 0.0) << "without a hand no force is announced";
     wheel.run(1.5);
     EXPECT_EQ(wheel.contacts(), 0) << "the tool is taken out of the clay";
     EXPECT_EQ(wheel.rests, 0) << "a pulled plug is no fault";

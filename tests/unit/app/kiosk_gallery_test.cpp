@@ -1,4 +1,4 @@
-// The shelf on the disk: what is kept, what leaves, what the staff deletes.
+// The gallery on disk: keeping, expiry, deletion by the staff.
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ TEST_F(GalleryTest, DeletesOnePotWithAllItsFilesAndNoOther) {
     EXPECT_EQ(names_of(gallery), std::vector<std::string>{"2026-11-22/pot-001"});
 }
 
-// A lump as it would be cut off, and all that is kept of it.
+// A lump as cut off, with everything that is kept.
 struct Cut {
     Cut() {
         for (std::uint32_t tick = 0; tick < 50; ++tick) {
@@ -134,6 +134,17 @@ TEST_F(GalleryTest, KeepsTheNewcomerHoweverWrongTheClockIs) {
     EXPECT_EQ(names_of(gallery), std::vector<std::string>{"1970-01-01/pot-001"});
 }
 
+TEST_F(GalleryTest, LetsTheOldestGoUnderAClockThatHasGoneBackToo) {
+    for (const char* name : {"2026-11-20/pot-001", "2026-11-21/pot-001", "2026-11-21/pot-002"})
+        put_pot(folder_.path(), name);
+    Gallery gallery = gallery_of(3);
+    const Cut cut;
+    for (int pot = 0; pot < 2; ++pot)
+        ASSERT_TRUE(gallery.keep(cut.pot(), "1970-01-01"));
+    EXPECT_EQ(names_of(gallery),
+              (std::vector<std::string>{"2026-11-21/pot-002", "1970-01-01/pot-002", "1970-01-01/pot-001"}));
+}
+
 TEST_F(GalleryTest, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
     Cut cut;
     haptic::TickRecord late;
@@ -183,7 +194,7 @@ TEST_F(GalleryTest, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
     Gallery gallery = gallery_of(3);
     const Cut cut;
     const std::string told = test::in_child([&]() -> std::string {
-        // Six: the folder of days, and some of the pots of its day, whenever it is asked for the first time.
+        // Six: the folder of days, and some of the pots of a day, whenever it is listed first.
         if (!test::fail_listings_after(6)) return "no such kernel";
         std::string trouble;
         const std::size_t some = gallery.pots(&trouble).size();
@@ -197,10 +208,10 @@ TEST_F(GalleryTest, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
     EXPECT_EQ(gallery.pots().size(), 31U) << "none had to go, none was written over";
 }
 
-// A keeper at work on a gallery, and the loop it would follow.
+// A keeper on a gallery, and the loop that it follows.
 struct KeeperTest : testing::Test {
     KeeperTest() { EXPECT_TRUE(keeper.start()); }
-    // The next answer about that; null: none came.
+    // Waits for the next answer of that kind; null after a timeout.
     template <typename What>
     std::shared_ptr<const KeeperAnswer> answer() {
         std::shared_ptr<const KeeperAnswer> next;
@@ -253,6 +264,20 @@ TEST_F(KeeperTest, DeletesNothingThatIsNoPotOfTheGallery) {
         EXPECT_EQ(survey->pots.size(), 1U);
     }
     EXPECT_TRUE(fs::exists(folder.path() / "precious/pot.glb"));
+}
+
+TEST_F(KeeperTest, SaysThatTheGalleryWasTakenAway) {
+    put_pot(folder.path(), "2026-11-22/pot-001");
+    keeper.survey();
+    ASSERT_TRUE(this->survey());
+    fs::remove_all(folder.path());
+    keeper.survey();
+    const auto said = answer<KeeperAnswer::Remark>();
+    ASSERT_NE(said, nullptr);
+    EXPECT_EQ(said->words,
+              folder.path().string() +
+                  ": expected the folder of the pots, found none; the next pot begins a new one");
+    EXPECT_TRUE(said->is_trouble);
 }
 
 TEST_F(KeeperTest, CountsAndRemembersBesideTheFrame) {

@@ -39,7 +39,7 @@ class KioskHandTest : public ::testing::Test {
 };
 
 TEST_F(KioskHandTest, IsAFingerThatDoesNotPressWhileItOnlyHoversOrRests) {
-    EXPECT_FALSE(next(hand_, shape_).pressing) << "nobody has come";
+    EXPECT_FALSE(next(hand_, shape_).pressing) << "no visitor yet";
     hand_.hover({20.0, 50.0});
     const auto tool = next(hand_, shape_);
     EXPECT_TRUE(tool.guided);
@@ -86,7 +86,7 @@ TEST_F(KioskHandTest, LetsGoOfAFingerThatLeapsOrIsNoNumber) {
     hand_.drag({60.0, 50.0});
     EXPECT_FALSE(next(hand_, shape_).pressing);
     hand_.drag({55.0, 50.0});
-    EXPECT_FALSE(next(hand_, shape_).pressing) << "until it comes anew";
+    EXPECT_FALSE(next(hand_, shape_).pressing) << "until it presses again";
     hand_.press({55.0, 50.0});
     EXPECT_TRUE(next(hand_, shape_).pressing);
     constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
@@ -156,7 +156,7 @@ TEST_F(KioskHandTest, GivesWayToWhateverTheVisitorDoes) {
     hand_.show(ShownStep::kRaise, lump_, 1.0);
     after(hand_, lump_, 1.5);
     hand_.hover({0.0, 0.0});
-    EXPECT_TRUE(hand_.shows()) << "a mouse that trembles is nobody";
+    EXPECT_TRUE(hand_.shows()) << "a trembling mouse is not a visitor";
     hand_.press({0.0, 60.0});
     next(hand_, lump_);
     const auto tool = next(hand_, lump_);
@@ -254,7 +254,7 @@ TEST(KioskPot, FindsTheThinnestPlaceOfAWall) {
     EXPECT_EQ(thinnest_wall_mm(pot(80, 60, 8, 80)), 0.0);
 }
 
-// Frames with that in the hand.
+// Runs frames with that tool in the hand.
 haptics::ToolState holding(KioskHand& hand, kiosk::Held held, const pot::Pot& shape) {
     return hand.request({.held = held}, shape, 1.0 / 60.0);
 }
@@ -288,7 +288,7 @@ TEST_F(KioskHandTest, HoldsTheWireBelowTheRimAndMovesItWithoutATouch) {
 TEST_F(KioskHandTest, PullsTheWireThroughOnce) {
     hand_.cut_rim();
     EXPECT_EQ(holding(hand_, kiosk::Held::kHand, shape_).command, haptics::WorkCommand::kNone)
-        << "nobody holds it";
+        << "it is not held";
     holding(hand_, kiosk::Held::kWire, shape_);
     hand_.cut_rim();
     const auto tool = holding(hand_, kiosk::Held::kHand, shape_);

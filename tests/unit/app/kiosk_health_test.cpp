@@ -1,4 +1,4 @@
-// What is measured of a kiosk, on a virtual clock and a machine made of files.
+// The kiosk's health figures, on a virtual clock and a simulated machine of files.
 #include "game/app/kiosk/health/kiosk_health.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(HealthMeter, ShowsAStandstillForAsLongAsItLasted) {
     EXPECT_NEAR(long_ones, 20, 1);
     now_s += 3600.0;
     meter.see(now_s, 3.6e6, 8.0, 0);
-    EXPECT_EQ(meter.plot().frame_ms.size(), 100U) << "a night of it is no more than the plot";
+    EXPECT_EQ(meter.plot().frame_ms.size(), 100U) << "a whole night fills only the plot";
     EXPECT_NEAR(meter.plot().frame_ms.front(), 3.6e6F, 1.0F);
 }
 

@@ -1,4 +1,4 @@
-// The marker that keys move along the clay, and what they ask for there.
+// The marker that keys move along the clay, and the actions of keys there.
 #include "game/app/kiosk/hand/kiosk_marker.h"
 #include "tests/support/millimetre_pot.h"
 
@@ -104,7 +104,7 @@ TEST_F(KioskMarkerTest, GivesOneSwitchHigherLowerWiderAndNarrower) {
     EXPECT_EQ(lower.points.back().place_mm.y, 94.0);
     const TouchPath open = marker_.button(HandKey::kDown, lump_, 1.0);
     EXPECT_EQ(open.points.front().place_mm.x, 0.0);
-    EXPECT_GT(open.points.back().place_mm.x, 20.0) << "all of it with one press";
+    EXPECT_GT(open.points.back().place_mm.x, 20.0) << "the whole way with one press";
     const TouchPath narrower = marker_.button(HandKey::kLeft, bowl_, 1.0);
     EXPECT_LT(narrower.points.back().place_mm.x, narrower.points.front().place_mm.x);
     const TouchPath wider = marker_.button(HandKey::kRight, bowl_, 1.0);

@@ -50,7 +50,7 @@ TEST_F(KioskPhoneTest, GivesACodeWhenEveryFileIsThere) {
 TEST_F(KioskPhoneTest, CountsTheCodesItShowsAndThePagesThatAreOpened) {
     settings_.config.sharing.counter = (folder_.path() / "opened").string();
     const auto reader_first = sharing::CounterReader::open(settings_.config.sharing.counter);
-    ASSERT_TRUE(reader_first) << "so that what is counted before the kiosk is up waits in the pipe";
+    ASSERT_TRUE(reader_first) << "so that counts before the kiosk's start wait in the pipe";
     sharing::CounterWriter server(settings_.config.sharing.counter);
     server.count(sharing::ShareEvent::kPageOpened);
     server.count(sharing::ShareEvent::kPageOpened);

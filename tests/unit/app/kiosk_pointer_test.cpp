@@ -26,7 +26,7 @@ screens::Composition screen() {
     return composition;
 }
 
-// The same, composed anew.
+// The same screen without that button, composed again.
 screens::Composition screen_without_done() {
     screens::Composition composition = screen();
     composition.targets.erase(composition.targets.begin());
@@ -124,7 +124,7 @@ TEST_F(KioskPointer, PressesNothingWhereItsButtonHasGone) {
     EXPECT_EQ(keys.pointer.focus(), 2);
     fewer.targets.pop_back();
     keys.pointer.look_at(&fewer, 1, false);
-    EXPECT_EQ(keys.pointer.focus(), 0) << "the ring is on what is left";
+    EXPECT_EQ(keys.pointer.focus(), 0) << "the ring is on the remaining button";
 }
 
 TEST_F(KioskPointer, RepeatsWhatRepeatsAndNothingElse) {
@@ -152,7 +152,7 @@ class TouchThatGoesWrong : public ::testing::Test {
         finger_.news.clear();
     }
     [[nodiscard]] bool ended() const { return finger_.said(Kind::kHandUp); }
-    // What still comes of it does nothing more to the clay.
+    // Checks that later events of this touch do nothing to the clay.
     void stays_ended() {
         EXPECT_FALSE(finger_.pointer.rests_on_scene());
         finger_.news.clear();
@@ -186,7 +186,7 @@ TEST_F(TouchThatGoesWrong, EndsWithASecondButton) {
     EXPECT_FALSE(other.said(Kind::kHandDown)) << "in whichever order";
 }
 
-TEST_F(TouchThatGoesWrong, EndsWhenNobodyMovesItForAMinute) {
+TEST_F(TouchThatGoesWrong, EndsAfterAMinuteWithoutMotion) {
     finger_.waits(58.0);
     EXPECT_FALSE(ended());
     finger_.moves(602, 301).waits(1.0);
@@ -196,7 +196,7 @@ TEST_F(TouchThatGoesWrong, EndsWhenNobodyMovesItForAMinute) {
     stays_ended();
 }
 
-TEST_F(TouchThatGoesWrong, GoesOnAsLongAsSomebodyMovesIt) {
+TEST_F(TouchThatGoesWrong, GoesOnWhileItMoves) {
     for (int minute = 0; minute < 5; ++minute)
         finger_.waits(50.0).moves(600 + 10 * (minute % 2), 310);
     EXPECT_FALSE(ended());
@@ -229,7 +229,7 @@ TEST_F(TouchThatGoesWrong, EndsWhereItsReleaseWasLost) {
     EXPECT_FALSE(finger_.pointer.rests_on_scene());
 }
 
-TEST_F(KioskPointer, TakesAShakenMouseForNobody) {
+TEST_F(KioskPointer, IgnoresAShakenMouse) {
     finger.moves(640, 360);
     EXPECT_FALSE(finger.said(Kind::kLife)) << "it only lies where the window opened";
     for (int i = 0; i < 50; ++i)
@@ -244,8 +244,8 @@ TEST_F(KioskPointer, TakesAShakenMouseForNobody) {
 }
 
 TEST_F(KioskPointer, LandsOnATargetWithoutWakingTheScreenFirst) {
-    // A finger is told as a leap of the mouse and a press; were the leap a sign of life, the panel that asks
-    // whether somebody is there would be gone before its button is pressed.
+    // A touch arrives as a jump of the mouse and a press; if the jump counted as activity, the idle panel
+    // would disappear before its button is pressed.
     finger.moves(640, 100).waits(0.2);
     finger.news.clear();
     finger.moves(150, 630).presses().waits(0.2).lifts();
@@ -295,7 +295,7 @@ TEST_F(KioskPointer, IsUsedWithOneSwitchAlone) {
     EXPECT_EQ(finger.pointer.focus(), 0);
 }
 
-TEST_F(KioskPointer, OpensTheCornerForWhoeverHoldsItFiveSeconds) {
+TEST_F(KioskPointer, OpensTheCornerWhenHeldForFiveSeconds) {
     finger.moves(20, 20).presses().waits(4.5);
     EXPECT_FALSE(finger.said(Kind::kCornerHeld));
     finger.waits(1.0);

@@ -1,4 +1,4 @@
-// What a kiosk starts with: its file, its words, the volume that the staff has set.
+// A kiosk's settings at start: its file, the command line, the volume set by the staff.
 #include "game/app/kiosk/kiosk_settings.h"
 
 #include <gtest/gtest.h>
@@ -51,6 +51,30 @@ TEST_F(KioskSettingsTest, LetEnglishStandInForWhatATableLacksAndSayHowMuch) {
     EXPECT_NE(settings->remarks.front().find("English stands in"), std::string::npos);
 }
 
+TEST_F(KioskSettingsTest, LoseABadTableOfWordsAndNothingElse) {
+    put(folder / "words/ko.tsv", "key\ttext\tspoken\tcheck\nother\t말\n");
+    put(folder / "words/fr.tsv", "no table\n");
+    put(folder / "kiosk.toml", "[languages]\norder = [\"fr\", \"ko\"]\nfirst = \"ko\"\nfolder = \"" +
+                                   (folder / "words").string() + "\"\n[staff]\nlocked = true\n");
+    const auto settings = load_settings((folder / "kiosk.toml").string());
+    ASSERT_TRUE(settings) << settings.error().message;
+    EXPECT_TRUE(settings->config.staff.locked);
+    ASSERT_EQ(settings->languages->size(), 1U);
+    EXPECT_EQ(settings->languages->front().code(), "ko");
+    EXPECT_EQ(settings->rules.default_language, 0);
+    ASSERT_GE(settings->remarks.size(), 2U);
+    EXPECT_NE(settings->remarks[0].find(
+                  "fr.tsv:1: expected the header key,text,spoken,check, found 'no table'; the kiosk"),
+              std::string::npos)
+        << settings->remarks[0];
+    EXPECT_NE(settings->remarks[1].find(
+                  "ko.tsv:2: expected a key that the program knows, found 'other'; the built-in"),
+              std::string::npos)
+        << settings->remarks[1];
+    put(folder / "kiosk.toml", "[languages]\norder = [\"fr\"]\nfirst = \"fr\"\n");
+    EXPECT_EQ(load_settings((folder / "kiosk.toml").string())->languages->front().code(), "en");
+}
+
 TEST_F(KioskSettingsTest, RejectAFileThatIsNotThereOrWrong) {
     EXPECT_FALSE(load_settings((folder / "none.toml").string()));
     put(folder / "bad.toml", "[sound]\nvolume = 11\n");
@@ -81,7 +105,7 @@ TEST_F(KioskSettingsTest, TakeWhatTheStaffSetOnlyWhereTheyAreToldTo) {
     settings.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
     settings.config.sound.remember_staff = true;
     take_kept_house(settings);
-    EXPECT_EQ(settings.config.sound.volume, 3) << "nobody has set one yet";
+    EXPECT_EQ(settings.config.sound.volume, 3) << "none has been set yet";
     ASSERT_TRUE(keep_house(statistics_folder(settings.config), {1, "ar"}));
     settings.config.sound.remember_staff = false;
     take_kept_house(settings);

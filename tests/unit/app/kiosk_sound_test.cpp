@@ -1,4 +1,4 @@
-// What of a snapshot is heard.
+// The sound scene of a snapshot.
 #include "game/app/kiosk/presentation/kiosk_sound.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(KioskSound, SlapsForEachLump) {
     EXPECT_EQ(scene_of(snapshot, 0.5).slaps, before + 1);
 }
 
-// A place with nothing to play on, which counts who asks.
+// A sound place without a device, which counts attempts.
 class CountingPlace final : public sound::SoundPlace {
   public:
     explicit CountingPlace(std::atomic<int>& asked) : asked_(asked) {}

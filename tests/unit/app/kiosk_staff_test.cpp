@@ -1,4 +1,4 @@
-// What the staff reads: what is well, what is not, and what a test came to.
+// The staff's panel: health, faults, and results of tests.
 #include "game/app/kiosk/staff/kiosk_staff.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(StaffLines, SayOkWhereAllIsWell) {
     EXPECT_EQ(line(well(), "Running").value, "3 h 2 min, started 0 times today");
 }
 
-// Where the processor is the device, it draws most before the device has anything to do.
+// With the CPU backend, most drawing happens before the device's part.
 TEST(StaffLines, CountWhatTheHostDraws) {
     Health health = well();
     health.device_ms = 0.4;
@@ -78,7 +78,7 @@ TEST(StaffLines, SayWhatIsNotKnownInsteadOfANumber) {
     health.celsius.reset();
     health.device_ms = 0.0;
     health.achieved_hz = 0.0;
-    EXPECT_EQ(line(health, "Temperature").value, "this machine tells none");
+    EXPECT_EQ(line(health, "Temperature").value, "not measured here");
     EXPECT_EQ(line(health, "Temperature").status, "");
     EXPECT_EQ(line(health, "Drawing").value, "this device does not measure it");
     EXPECT_EQ(line(health, "Force tick").value, "4000 Hz asked for");
@@ -89,7 +89,7 @@ TEST(StaffLines, CountVisitsByTheHour) {
     health.use.hours[9] = {.breaks = 4, .visits = 3, .thrown = 2, .kept = 1, .dwell_s = 270};
     health.use.hours[14] = {.breaks = 1};
     const auto lines = staff_lines(health, StaffPage::kVisits);
-    ASSERT_EQ(lines.size(), 3U) << "hours in which nobody came take no line";
+    ASSERT_EQ(lines.size(), 3U) << "hours without visitors take no line";
     EXPECT_EQ(lines[0].value, "5 begun, 3 ended, 2 thrown, 1 kept, 1 min 30 s each");
     EXPECT_EQ(lines[1].name, "09\u201310 h");
     EXPECT_EQ(lines[1].value, "4 begun, 3 ended, 2 thrown, 1 kept, 1 min 30 s each");
@@ -130,8 +130,7 @@ TEST(StaffLines, SayHowManyPotsThereAreBeyondThoseTheyName) {
     const auto lines = staff_lines(health, StaffPage::kGallery);
     ASSERT_EQ(lines.size(), 3U);
     EXPECT_EQ(lines[1].value, "9000 more on the disk");
-    EXPECT_EQ(lines[2].value, "2026-11-20/pot-001, not among these")
-        << "nobody has looked whether it is there";
+    EXPECT_EQ(lines[2].value, "2026-11-20/pot-001, not among these") << "not checked yet";
     EXPECT_EQ(lines[2].code, 9);
 }
 
@@ -161,7 +160,7 @@ TEST(ForceTestWords, TellWhatTheHandDid) {
     EXPECT_TRUE(says({.stage = Stage::kDone, .given_n = {0.6, 0.0, 0.6}, .moved_mm = {3.0, 0.0, 3.0}},
                      "less than asked for"));
     EXPECT_TRUE(says({.stage = Stage::kNobody}, "feels no hand"));
-    EXPECT_TRUE(says({.stage = Stage::kBroken}, "broken off"));
+    EXPECT_TRUE(says({.stage = Stage::kBroken}, "interrupted"));
 }
 
 }  // namespace

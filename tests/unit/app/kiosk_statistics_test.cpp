@@ -1,4 +1,4 @@
-// What is kept of visits, that it is no more than that, and what the staff is told of it.
+// The statistics of visits: the recorded fields, nothing beyond them, and the staff's summary.
 #include "game/app/kiosk/health/kiosk_statistics.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST_F(KioskStatisticsTest, KeepsADayAndAnHourOfBreaksAndStarts) {
     EXPECT_TRUE(std::regex_match(text_of(folder.path() / "starts.csv"), one));
 }
 
-TEST_F(KioskStatisticsTest, KeepsCountsOfPhonesAndNothingOfWhom) {
+TEST_F(KioskStatisticsTest, CountsPhonesWithoutIdentifyingThem) {
     ASSERT_TRUE(note_phones(folder.path(), {.codes = 1}));
     ASSERT_TRUE(note_phones(folder.path(), {.pages = 3, .models = 2, .prints = 1}));
     const std::regex expected(
@@ -67,7 +67,7 @@ TEST_F(KioskStatisticsTest, CountsADayByItsHours) {
                                                    "2026-11-21,10,95,keep,1,2\n"
                                                    "2026-11-21,10,5,choose,0,0\n"
                                                    "2026-11-21,23,60,throw,1,0\n"
-                                                   // What no hand of this program wrote.
+                                                   // Lines that this program did not write.
                                                    "2026-11-21,24,60,throw,1,0\n"
                                                    "2026-11-21,10,-60,throw,1,0\n"
                                                    "2026-11-21,10,60,throw,1\n"
@@ -90,7 +90,7 @@ TEST_F(KioskStatisticsTest, ReadsBackWhatItWroteAndNothingWhereNothingIs) {
     ASSERT_TRUE(note_visit(folder.path(), {95, kiosk::Screen::kKeep, true, 2}));
     ASSERT_TRUE(note_attract_break(folder.path()));
     ASSERT_TRUE(note_start(folder.path()));
-    // Of the day that the line itself says: midnight may have come in between.
+    // For the day in the line itself: midnight may have passed meanwhile.
     const std::string visits = text_of(folder.path() / "visits.csv");
     const UseOfDay use = use_of(folder.path(), visits.substr(visits.find('\n') + 1, 10));
     EXPECT_EQ(use.total(), (UseOfHour{.breaks = 1, .visits = 1, .thrown = 1, .kept = 2, .dwell_s = 95}));

@@ -1,4 +1,4 @@
-// Recordings of lines: read where they are, silence where they are not.
+// Recorded lines: read if present, silence if not.
 #include "game/app/kiosk/presentation/kiosk_voice.h"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@
 namespace onggi::app {
 namespace {
 
-// A run that asks for nothing a test machine may refuse, nor takes its core for itself.
+// A run that requests nothing a test machine may refuse, and does not occupy a core.
 LiveRun modest_run(std::uint64_t tick_count, std::optional<double> seconds) {
     LiveRun run;
     run.hand = std::make_unique<test::ScriptedDevice>();

@@ -1,4 +1,4 @@
-// A log that is read: every event once, and no flood.
+// The log: every event once, and no flood.
 #include "game/app/system/report.h"
 
 #include <gtest/gtest.h>

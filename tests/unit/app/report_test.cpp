@@ -1,4 +1,4 @@
-// A line an event, and its priority where systemd's journal reads.
+// One line per event, with a priority for systemd's journal.
 #include "game/app/system/report.h"
 
 #include <fcntl.h>

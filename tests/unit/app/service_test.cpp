@@ -1,4 +1,4 @@
-// What a service manager hears: on a real datagram socket, at times of a virtual clock.
+// The messages to a service manager, on a real datagram socket and a virtual clock.
 #include "game/app/system/service.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ class Manager {
     Manager(const Manager&) = delete;
     Manager& operator=(const Manager&) = delete;
 
-    // A datagram on this machine is there when it was sent.
+    // A local datagram arrives as soon as it is sent.
     std::vector<std::string> heard() {
         std::vector<std::string> all;
         std::array<char, 512> text{};
@@ -108,7 +108,7 @@ TEST(Service, TellsItsManagerWhatGoesOn) {
     }
 }
 
-TEST(Service, BeatsForNobodyWhoDoesNotWatch) {
+TEST(Service, SendsNoPingWithoutAWatchdog) {
     const test::TemporaryFolder folder;
     Manager manager(folder.path().string() + "/notify");
     for (const char* broken : {"", "soon", "-1", "10s"}) {

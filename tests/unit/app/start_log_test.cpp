@@ -1,8 +1,11 @@
-// Three falls in ten minutes and the program starts in safe mode, at times of a virtual clock; and a file
-// that is broken costs a line, no more.
+// After three crashes in ten minutes the program starts in safe mode, on a virtual clock; a damaged file only
+// costs one line.
 #include "game/app/system/start_log.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>  // NOLINT: kill is POSIX
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/support/temporary_folder.h"
 
@@ -52,11 +55,15 @@ TEST(StartLog, LeavesSafeModeWithTheNextStartThatIsCalm) {
     EXPECT_FALSE(begin(log, kNow + 700).is_safe_mode);
 }
 
-TEST(StartLog, IsNotFooledByAClockThatIsPutBack) {
+TEST(StartLog, KeepsItsCountUnderAClockThatIsPutBack) {
     StartLog log;
     for (int fall = 0; fall < 4; ++fall)
         static_cast<void>(begin(log, kNow + 86'400 + fall));
-    EXPECT_EQ(begin(log, kNow).falls, 1);
+    EXPECT_EQ(begin(log, kNow).falls, 4);
+    end(log);
+    EXPECT_EQ(begin(log, kNow + 599).falls, 4);
+    end(log);
+    EXPECT_EQ(begin(log, kNow + 600).falls, 0);
 }
 
 TEST(StartLog, HoldsNoMoreThanAFewFalls) {
@@ -100,7 +107,7 @@ TEST(StartKeeper, CountsFallsFromOneStartToTheNext) {
     }
 }
 
-TEST(StartKeeper, MeetsABrokenFileWithOneLineAndBeginsAnew) {
+TEST(StartKeeper, ReportsABrokenFileInOneLineAndStartsFresh) {
     const test::TemporaryFolder folder;
     std::filesystem::create_directories(folder / "state");
     test::put_file(folder / "state/starts", "onggi starts 1\nrunning\nfell yesterday\n");
@@ -111,6 +118,40 @@ TEST(StartKeeper, MeetsABrokenFileWithOneLineAndBeginsAnew) {
     EXPECT_NE(remarks[0].find("starts, line 3: expected 'fell' and a time"), std::string::npos) << remarks[0];
     ASSERT_TRUE(keeper.end_now());
     EXPECT_EQ(test::content_of(folder / "state/starts"), "onggi starts 1\nended\n");
+}
+
+TEST(GalleryLock, IsHeldByOneProcessUntilItEndsHoweverItEnds) {
+    const test::TemporaryFolder folder;
+    int ends[2] = {-1, -1};
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t first = ::fork();
+    if (first == 0) {
+        GalleryLock lock;
+        const char answer = lock.take(folder / "state") ? 'y' : 'n';
+        static_cast<void>(!::write(ends[1], &answer, 1));
+        for (;;)
+            ::pause();
+    }
+    char answer = 0;
+    ASSERT_EQ(::read(ends[0], &answer, 1), 1);
+    EXPECT_EQ(answer, 'y');
+    {
+        GalleryLock second;
+        const auto refused = second.take(folder / "state");
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().kind, ErrorKind::kSystemLacks);
+        EXPECT_EQ(refused.error().message, folder.path().string() +
+                                               ": expected no other kiosk at this gallery, found process " +
+                                               std::to_string(first));
+    }
+    EXPECT_EQ(GalleryLock::other_at(folder / "state"), first);
+    ::kill(first, SIGKILL);
+    ::waitpid(first, nullptr, 0);
+    EXPECT_FALSE(GalleryLock::other_at(folder / "state"));
+    GalleryLock second;
+    EXPECT_TRUE(second.take(folder / "state"));
+    GalleryLock nowhere;
+    EXPECT_TRUE(nowhere.take("/proc/none")) << "what cannot be written cannot be mixed up";
 }
 
 TEST(StartKeeper, StartsWhereNothingCanBeWritten) {

@@ -59,7 +59,19 @@ TEST_F(WallTest, HoldsEachPotOnceAndTheNewestOfThem) {
     EXPECT_TRUE(later.pots().empty());
 }
 
-TEST_F(WallTest, BeginsAnewWhereItsFileIsDamaged) {
+TEST_F(WallTest, ContinuesUntilTheClockIsSet) {
+    ASSERT_TRUE(wall_.put(pot_called("before the power cut"), kToday));
+    WallOfTheDay started(file_);
+    ASSERT_TRUE(started.open("1970-01-01"));
+    ASSERT_TRUE(started.put(pot_called("after it"), "1970-01-01"));
+    EXPECT_EQ(started.pots().size(), 2U);
+    ASSERT_TRUE(started.turn_to(kToday));
+    EXPECT_EQ(started.pots().size(), 2U);
+    ASSERT_TRUE(started.turn_to("2026-11-25"));
+    EXPECT_TRUE(started.pots().empty());
+}
+
+TEST_F(WallTest, StartsEmptyIfItsFileIsDamaged) {
     std::filesystem::create_directories(file_.parent_path());
     for (const char* damage :
          {"", "{", "[]", R"({"day":"2026-11-24"})", R"({"day":"2026-11-24","pots":[{}]})",

@@ -133,6 +133,64 @@ TEST_F(GltfRead, KeepsTrianglesFacingOutwardsBelowAMirror) {
     EXPECT_GT(mesh.normals[0].z, 0.9F);
 }
 
+TEST_F(GltfRead, ReadsStripsAndFans) {
+    sample.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    sample.indices = {0, 1, 2, 3};
+    sample.tree["accessors"][0]["count"] = 4;
+    sample.tree["accessors"][1]["count"] = 4;
+    sample.tree["bufferViews"] = json::parse(
+        R"([{"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 8}])");
+    sample.tree["buffers"][0]["byteLength"] = 56;
+    sample.tree["meshes"][0]["primitives"][0]["mode"] = 5;
+    const GltfModel strip = read(sample);
+    EXPECT_EQ(strip.parts.at(0).mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}));
+    for (const vec3& normal : strip.parts.at(0).mesh.normals)
+        EXPECT_EQ(normal, vec3(0.0F, 0.0F, 1.0F));
+    sample.tree["meshes"][0]["primitives"][0]["mode"] = 6;
+    EXPECT_EQ(read(sample).parts.at(0).mesh.indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+    sample.indices = {0, 1, 1, 2};  // a strip of two parts is joined by triangles without an area
+    sample.tree["meshes"][0]["primitives"][0]["mode"] = 5;
+    expect_refused(sample, "at least one triangle");
+    sample.tree["meshes"][0]["primitives"][0]["mode"] = 7;
+    expect_refused(sample, "expected triangles, found mode 7");
+}
+
+TEST_F(GltfRead, LeavesOutWhatHasNoSurfaceAndNamesIt) {
+    sample.tree["nodes"].push_back({{"mesh", 1}});
+    sample.tree["nodes"].push_back({{"mesh", 2}});
+    sample.tree["scenes"][0]["nodes"] = {0, 1, 2, 1};
+    sample.tree["meshes"].push_back(json::parse(R"({"name": "grid", "primitives": [
+        {"attributes": {"POSITION": 0}, "mode": 1}, {"attributes": {"POSITION": 0}, "mode": 3}]})"));
+    sample.tree["meshes"].push_back(
+        json::parse(R"({"primitives": [{"attributes": {"POSITION": 0}, "mode": 0}]})"));
+    const GltfModel model = read(sample);
+    EXPECT_EQ(model.parts.size(), 1U);
+    EXPECT_EQ(model.left_out, (std::vector<std::string>{"mesh 'grid': lines", "mesh 2: points"}));
+    sample.tree["scenes"][0]["nodes"] = {1, 2};
+    expect_refused(sample, "expected triangles, found none");
+}
+
+TEST_F(GltfRead, TakesAFileWithoutScenesByItsRootNodes) {
+    sample.tree.erase("scene");
+    sample.tree.erase("scenes");
+    sample.tree["nodes"][0]["children"] = {1};
+    sample.tree["nodes"].push_back({{"mesh", 0}});
+    EXPECT_EQ(read(sample).parts.size(), 2U) << "a child once, by its parent";
+}
+
+TEST_F(GltfRead, DoesWithoutRequiredExtensionsOfTheSurfaceAlone) {
+    for (const char* extension : {"KHR_materials_unlit", "KHR_texture_transform", "KHR_materials_clearcoat",
+                                  "EXT_texture_webp", "KHR_lights_punctual"}) {
+        sample.tree["extensionsUsed"] = sample.tree["extensionsRequired"] = {extension};
+        EXPECT_EQ(read(sample).left_out, std::vector<std::string>{std::string("extension ") + extension});
+    }
+    for (const char* extension :
+         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"}) {
+        sample.tree["extensionsUsed"] = sample.tree["extensionsRequired"] = {extension};
+        expect_refused(sample, "expected no required extension of the shape, found ");
+    }
+}
+
 TEST_F(GltfRead, ReadsColoursAsLinearShares) {
     sample.tree["accessors"].push_back(
         {{"bufferView", 2}, {"componentType", 5121}, {"normalized", true}, {"count", 3}, {"type", "VEC4"}});

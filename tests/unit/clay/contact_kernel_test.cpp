@@ -16,7 +16,7 @@ constexpr KernelVariant kVariants[] = {KernelVariant::kPlain, KernelVariant::kWi
 
 TEST(ContactKernel, IsTheWidestThisProcessorHas) {
 #if defined(__x86_64__)
-    // Asked of the compiler's run time here once more, so that a clay that quietly fell back is seen.
+    // Queried again here through the compiler's run time, to detect a silent fallback.
     const char* expected = __builtin_cpu_supports("avx2") != 0 ? "wide" : "plain";
 #else
     const char* expected = "plain";

@@ -58,7 +58,7 @@ TEST(RotationBy, IsWithinOneInABillionthOfLibm) {
     EXPECT_LT(worst_step, 3e-16);
 }
 
-TEST(RotationBy, KnowsNothingAndTheQuarters) {
+TEST(RotationBy, IsExactAtZeroAndTheQuarters) {
     constexpr double kHalfPi = 1.5707963267948966;
     EXPECT_EQ(rotation_by(0.0).cosine, 1.0);
     EXPECT_EQ(rotation_by(0.0).sine, 0.0);

@@ -24,8 +24,8 @@ std::vector<std::uint32_t> bits(const SparseFloats& floats) {
     return all;
 }
 
-// What these take, by the kernel's own account. It tells of mappings, and neighbours that are alike are one:
-// so these are made unlike theirs while it is asked.
+// The memory of these floats by the kernel's count. It counts per mapping and merges similar neighbours, so
+// this mapping is made different during the query.
 long memory_kb(const SparseFloats& floats) {
     const auto place = reinterpret_cast<std::uintptr_t>(floats.data());
     const std::uintptr_t page = static_cast<std::uintptr_t>(kPageKb) * 1024;
@@ -67,7 +67,8 @@ TEST(SparseFloats, AreCopiedByEveryBit) {
     EXPECT_EQ(bits(other), bits(floats));
 }
 
-// Kernels that lend one page of zeros to all who only read take none for it; some of virtual machines do not.
+// Most kernels map one shared zero page for reading, which takes no memory; those of some virtual machines do
+// not.
 long kb_for_reading() {
     const SparseFloats untouched(kCount);
     const long before_kb = memory_kb(untouched);
@@ -88,7 +89,7 @@ TEST(SparseFloats, TakeMemoryForWhatIsWrittenAloneUntilToldToTakeAll) {
 
     const long written_kb = memory_kb(floats);
     SparseFloats copy(floats);
-    // Kernels with large folios give up to 128 kB for each page that is written, and its floats lie in two.
+    // Kernels with large folios allocate up to 128 kB for each written page, and its floats lie in two.
     EXPECT_LE(memory_kb(copy), written_kb + reading_kb + 64 * kPageKb) << "the copy of a page is a page";
     copy.take_memory();
     constexpr long kAllKb = static_cast<long>(kCount * sizeof(float) / 1024);

@@ -12,7 +12,7 @@ TEST(StateHash, IsTheSameOnEveryMachineAndBuild) {
     StateHash hash;
     hash.add(std::array<float, 3>{1.0F, -0.0F, 60.0F});
     hash.add(4.0);
-    // Worked out from the definition by other means; a change here makes every stored session unplayable.
+    // Computed independently from the definition; a change here makes every stored session unplayable.
     EXPECT_EQ(hash.value(), 0x6899f312ea2a3649ULL);
 }
 

@@ -1,4 +1,4 @@
-// What lies in a folder, and what becomes of a disk that fails while it is asked.
+// Listing a folder, also on a disk that fails during the listing.
 #include "engine/core/list_folder.h"
 
 #include <gtest/gtest.h>

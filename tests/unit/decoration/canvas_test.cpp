@@ -13,7 +13,7 @@ Canvas canvas_of(const Strokes& strokes) {
     return std::move(canvas).value();
 }
 
-// The middle of what a pigment covers by half at least, in a column: mm above the foot, and how wide it is
+// The band of a column that a pigment covers by at least half: its centre, mm above the foot, and its width
 // along the wall.
 struct Band {
     double middle_mm = 0.0;
@@ -67,7 +67,7 @@ TEST(Canvas, AStrokeThatGrowsComesToTheBytesOfOneLaidAtOnce) {
     EXPECT_EQ(grown.texture().hash(), canvas_of(all).texture().hash());
 }
 
-// Whatever built this: compiler, optimisation, width of vectors.
+// For any compiler, optimisation and vector width.
 TEST(Canvas, TheSameStrokesGiveTheSameBytesEverywhere) {
     std::mt19937 random(24);
     Strokes all;

@@ -25,7 +25,7 @@ inline StrokePoint point(double turns, double height_mm, double pressure = 1.0) 
     return stroke_point(turns, height_mm, pressure).value();
 }
 
-// Of any kind, anywhere.
+// A random stroke of any kind.
 inline Stroke random_stroke(std::mt19937& random) {
     const auto number = [&](int least, int most) {
         return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));

@@ -91,7 +91,7 @@ TEST(Halved, KeepsTheClayOfEachHeightWhereItMerges) {
     ASSERT_EQ(merged.count(), 2);
     EXPECT_EQ(merged.edge_mm, (std::vector<double>{0.0, 4.0, 6.0}));
     EXPECT_NEAR(merged.outer_mm[0], std::sqrt(0.5 * (100.0 + 400.0)), 1e-12);
-    EXPECT_EQ(merged.outer_mm[1], 30.0) << "nobody to go with";
+    EXPECT_EQ(merged.outer_mm[1], 30.0) << "no partner";
     for (const support::PotSample& pot : support::all_pot_samples()) {
         PotRings rings = pot.rings();
         while (rings.count() > 1)

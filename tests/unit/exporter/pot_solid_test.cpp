@@ -114,7 +114,7 @@ TEST(PotSolid, HasAnEdgeWhereTheFlatTopMeetsTheWall) {
 
 TEST(PotSolid, IsTheSameOnEveryMachineAndBuild) {
     const support::PotSample pot = support::pressed_lump(100);
-    // Worked out once; any compiler, build type and instruction set must agree.
+    // A fixed value; any compiler, build type and instruction set must agree.
     StateHash hash;
     for (const vec3& position : solid_of(pot.rings()).mesh.positions_m) {
         const std::array<float, 3> floats{position.x, position.y, position.z};

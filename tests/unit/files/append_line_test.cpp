@@ -1,4 +1,4 @@
-// A table of a line a visit, whatever was left of its last line.
+// Appends to a table whose last line may be incomplete.
 #include "engine/files/append_line.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(AppendLine, LeavesHalfALineOnALineOfItsOwn) {
     EXPECT_EQ(test::content_of(folder / "table"), "day,hour\n1,2\n3\n5,6\n");
 }
 
-TEST(AppendLine, BeginsAnewBehindHalfAFirstLine) {
+TEST(AppendLine, ReplacesAPartialFirstLine) {
     const test::TemporaryFolder folder;
     for (const char* half : {"", "d", "day,hour"}) {
         test::put_file(folder / "table", half);

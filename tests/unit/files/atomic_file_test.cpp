@@ -155,11 +155,11 @@ TEST_F(AtomicFileTest, WithANameSurvivesAKilledProgram) {
                       return std::string("alive");
                   }),
                   "killed by signal 9");
-        EXPECT_EQ(content_of(folder_ / left), "recorded");  // nor does the second take the first one's away
+        EXPECT_EQ(content_of(folder_ / left), "recorded");  // the second does not remove the first one's
     }
 }
 
-// What a child finds when its disk is too small: the error's kind and line, and what stands in the folder.
+// The result in a child whose disk is too small: the error's kind and line, and the folder's files.
 std::string write_to_full_disk(const TemporaryFolder& folder, Beside beside) {
     test::fill_disk_after(folder.path(), std::size_t{256} << 10U);
     if (auto old = write_file_atomically(folder / "out", "old"); !old) return old.error().message;
@@ -198,7 +198,7 @@ TEST_F(AtomicFileTest, BeyondTheLimitOfFileSizesKeepsTheOldFileAndLeavesNothing)
 
 TEST_F(AtomicFileTest, UsesAHiddenNameWhereNamelessFilesCannotBeNamed) {
     const std::string answer = test::in_child([&] {
-        // Without /proc a nameless file can get no name.
+        // Without /proc an unnamed file cannot be named.
         if (!test::enter_own_mounts() || ::mount("none", "/proc", "tmpfs", 0, nullptr) != 0)
             return std::string("no mounts");
         auto file = AtomicFile::create(folder_ / "out");
@@ -207,7 +207,7 @@ TEST_F(AtomicFileTest, UsesAHiddenNameWhereNamelessFilesCannotBeNamed) {
         if (!file->commit()) return std::string("failed");
         return beside.substr(0, 7) + (std::filesystem::exists(file->beside()) ? " left" : " gone");
     });
-    if (answer == "no mounts") GTEST_SKIP() << "this system lets nobody have mounts of their own";
+    if (answer == "no mounts") GTEST_SKIP() << "this system does not allow private mounts";
     EXPECT_EQ(answer, ".onggi- gone");
     EXPECT_EQ(folder_.names(), Names{"out"});
     EXPECT_EQ(content_of(folder_ / "out"), "x");

@@ -1,11 +1,15 @@
 #include "engine/files/atomic_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 
+#include "engine/files/atomic_file.h"
+#include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::files {
@@ -42,6 +46,55 @@ TEST(AtomicFolder, IsTakenAwayWithAllThatIsInItAndWithWhatAKilledProgramLeft) {
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().kind, ErrorKind::kBadInput);
     EXPECT_EQ(none.error().message, (folder / "pot").string() + ": expected a folder, found none");
+}
+
+// A kiosk whose system is read-only below and written above: what was there before cannot be renamed (EXDEV).
+TEST(AtomicFolder, IsTakenAwayFromTheLowerLayerOfAnOverlay) {
+    const test::TemporaryFolder folder;
+    const std::string answer = test::in_child([&]() -> std::string {
+        const std::string at = folder.path().string();
+        if (!test::enter_own_mounts() || ::mount("none", at.c_str(), "tmpfs", 0, nullptr) != 0)
+            return "no mounts";
+        for (const char* place : {"lower/pot/inner", "upper", "work", "seen"})
+            fs::create_directories(folder / place);
+        test::put_file(folder / "lower/pot/inner/file", "pot");
+        const std::string layers =
+            "lowerdir=" + at + "/lower,upperdir=" + at + "/upper,workdir=" + at + "/work";
+        if (::mount("none", (at + "/seen").c_str(), "overlay", 0, layers.c_str()) != 0) return "no overlay";
+        std::error_code error;
+        fs::rename(folder / "seen/pot", folder / "seen/other", error);
+        if (error != std::errc::cross_device_link) return "no longer refused: " + error.message();
+        const auto gone = take_away_folder(folder / "seen/pot");
+        if (!gone) return gone.error().message;
+        auto again = AtomicFolder::create(folder / "seen/pot");
+        if (!again) return again.error().message;
+        const auto kept = again->commit();
+        if (!kept) return kept.error().message;
+        return fs::exists(folder / "lower/pot/inner/file") ? "gone and made again"
+                                                           : "the lower layer was written";
+    });
+    if (answer == "no mounts" || answer == "no overlay")
+        GTEST_SKIP() << "this system grants a test " << answer;
+    EXPECT_EQ(answer, "gone and made again");
+}
+
+TEST(AtomicFolder, IsKeptOnAFileSystemThatSyncsNoFolder) {
+    const test::TemporaryFolder folder;
+    const auto kept_with = [&](int error) {
+        return test::in_child([&]() -> std::string {
+            if (!test::refuse_folder_syncs(error)) return "no filter";
+            auto pot = AtomicFolder::create(folder / std::to_string(error));
+            if (!pot) return pot.error().message;
+            const auto written = write_file_atomically(pot->inside() / "file", "pot");
+            const auto done = written ? pot->commit() : written;
+            if (!done) return done.error().message;
+            return folder_sync_was_refused() ? "kept, and it is known" : "kept";
+        });
+    };
+    for (const int error : {EINVAL, ENOTSUP, ENOSYS})
+        EXPECT_EQ(kept_with(error), "kept, and it is known") << error;
+    EXPECT_NE(kept_with(EIO).find("sync the folder: Input/output error"), std::string::npos)
+        << kept_with(EIO);
 }
 
 TEST(AtomicFolder, LeavesNoPartsWhereTheyAreLookedForAndTouchesNothingElse) {

@@ -18,7 +18,7 @@ void expect_no_place(const std::filesystem::path& place, ErrorKind kind, std::st
     EXPECT_EQ(checked.error().kind, kind) << checked.error().message;
     EXPECT_NE(checked.error().message.find(reason), std::string::npos) << checked.error().message;
     EXPECT_EQ(checked.error().message.find('\n'), std::string::npos);
-    // Nothing else may be said when the file is really made.
+    // Creating the file must give the same error.
     const auto file = AtomicFile::create(place);
     ASSERT_FALSE(file);
     EXPECT_EQ(file.error().message, checked.error().message);

@@ -57,7 +57,7 @@ TEST_F(ReadFile, ReadsAFileThatDoesNotSayItsSize) {
     const auto bytes = read_file("/proc/self/status", kMegabyte);
     ASSERT_TRUE(bytes) << bytes.error().message;
     EXPECT_TRUE(bytes->starts_with("Name:")) << *bytes;
-    // And notices when it gives more than allowed, though it says 0 bytes.
+    // Also if the file yields more than allowed although its size is 0.
     expect_refused("/proc/self/status", ErrorKind::kBadInput, "expected at most 10 bytes", 10);
 }
 

@@ -1,4 +1,4 @@
-// What is put aside comes back, from the disk or from memory, and leaves nothing behind.
+// Spilled bytes are read back, from disk or memory, and no file is left behind.
 #include "engine/files/spill_file.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(SpillFile, GivesBackWhatWasPut) {
     EXPECT_TRUE(std::filesystem::is_empty(folder / "deep/er")) << "it has no name";
 }
 
-TEST(SpillFile, TakesTheRoomOfWhatWasTakenBack) {
+TEST(SpillFile, ReusesTheSpaceOfADroppedPiece) {
     const test::TemporaryFolder folder;
     SpillFile aside(folder.path());
     const auto first = aside.put(bytes_of(5000, 1));
@@ -78,7 +78,7 @@ TEST(SpillFile, KeepsWhatAFullDiskDoesNotTake) {
               "both are there");
 }
 
-TEST(SpillFile, SaysWhatTheDiskDoesNotGiveBack) {
+TEST(SpillFile, ReportsAReadError) {
     const test::TemporaryFolder folder;
     SpillFile aside(folder.path());
     const auto piece = aside.put(bytes_of(5000, 1));

@@ -16,7 +16,7 @@ struct FakeService::Impl {
     std::thread thread;
     std::atomic<bool> ends{false};
     int port = 0;
-    std::mutex mutex;  // over all below
+    std::mutex mutex;  // guards everything below
     dvec3 cursor_m{0.0, -0.1, 0.1};
     std::string instead;
     bool is_silent = false;

@@ -1,5 +1,5 @@
-// An Inverse service of its own on loopback, for tests: a WebSocket server on a thread. It moves its cursor
-// by the force it is told, and can be made to speak nonsense, to fall silent, or to go away.
+// A fake Inverse service on loopback, for tests: a WebSocket server on a thread. It moves its cursor by the
+// received force, and can send invalid messages, fall silent, or disconnect.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace onggi::testing {
 
 class FakeService {
   public:
-    // On any free port, or on the one given.
+    // Listens on any free port, or on the given one.
     explicit FakeService(int port = 0);
     ~FakeService();
     FakeService(const FakeService&) = delete;
@@ -21,7 +21,7 @@ class FakeService {
     // Any thread.
     void put_cursor_m(const dvec3& cursor_m);
     void be_silent(bool silent);           // answers nothing
-    void say(const std::string& instead);  // from now on, instead of the state; empty: the state again
+    void say(const std::string& instead);  // sent from now on instead of the state; empty: the state again
     [[nodiscard]] std::string last_heard() const;
     [[nodiscard]] int times_heard() const;
 

@@ -17,8 +17,8 @@ using testing::FakeService;
 
 class InverseDeviceTest : public ::testing::Test {
   protected:
-    // The loop goes on meanwhile. Where the machine held it up for longer than the gate bears, the gate is
-    // shut until the force was small once: the tool leaves the clay until it opens.
+    // Runs the loop until the condition holds. If the machine delays the loop beyond the gate's timeout, the
+    // gate stays shut until the force has been small: then the tool leaves the clay until it opens.
     template <typename Condition>
     bool comes_true(InverseDevice& device, Condition condition, const dvec3& force_n = dvec3(0.0)) {
         return test::comes_true([&] {
@@ -66,7 +66,7 @@ TEST_F(InverseDeviceTest, TellsOfEachReadWhetherAMessageCame) {
     int fresh = 0;
     ASSERT_TRUE(comes_true(device, [&] { return (fresh += device.signs().position_is_new ? 1 : 0) > 100; }));
     service.be_silent(true);
-    // What was on its way comes.
+    // Messages already sent still arrive.
     ASSERT_TRUE(comes_true(device, [&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         (void)device.read(tick_++, 0.0);

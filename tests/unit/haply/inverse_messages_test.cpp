@@ -1,4 +1,4 @@
-// What the Inverse service says, taken apart; and what is no such thing, refused.
+// Parsing the Inverse service's messages, and refusing everything else.
 #include "engine/haptics/haply/inverse_messages.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(InverseMessages, RejectsWhatIsTooMuch) {
     EXPECT_EQ(refusal("1" + std::string(kMaxMessageBytes, ' ')), "expected at most 65536 bytes, found 65537");
 }
 
-TEST(InverseMessages, RejectsADeviceThatIsNone) {
+TEST(InverseMessages, RejectsAnInvalidDevice) {
     EXPECT_EQ(refusal(R"({"inverse3":[{"device_id":"a\"b","state":{}}]})"),
               "inverse3.0.device_id: expected up to 32 letters and digits, found something else");
     EXPECT_EQ(refusal(R"({"inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":0,"y":"far"}}}]})"),

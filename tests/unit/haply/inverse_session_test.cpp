@@ -1,4 +1,4 @@
-// The Inverse3's life without a socket, on a time of the test's own.
+// The Inverse3's session without a socket, on virtual time.
 #include "engine/haptics/haply/inverse_session.h"
 
 #include <fmt/format.h>
@@ -123,7 +123,7 @@ TEST_F(InverseSessionTest, LetsGoAtOnceWhenTheWatchdogAsksAndStaysLooseUntilTheF
     after_ms(2, dvec3(0.0));
     const std::string force = force_message("049D", {1.0, 0.0, 0.0}, "vector", false);
     ASSERT_EQ(after_ms(1200, {1.0, 0.0, 0.0}), force);
-    // A force was just said, and not answered yet; the next is due in a ms.
+    // A force was just sent and not answered yet; the next is due in a ms.
     link_.order.put({.force_n = {1.0, 0.0, 0.0}, .ticks = ++ticks_});
     ASSERT_EQ(session_.next_message(now_ns_ += kMs), force);
     now_ns_ += kMs / 10;
@@ -138,7 +138,7 @@ TEST_F(InverseSessionTest, LetsGoAtOnceWhenTheWatchdogAsksAndStaysLooseUntilTheF
     EXPECT_EQ(after_ms(1200, {1.0, 0.0, 0.0}), force);
 }
 
-TEST_F(InverseSessionTest, BeginsAnewWithADeviceThatComesBack) {
+TEST_F(InverseSessionTest, RestartsWithADeviceThatReturns) {
     connect();
     after_ms(2, dvec3(0.0));
     after_ms(1200, {1.0, 0.0, 0.0});
@@ -153,7 +153,7 @@ TEST_F(InverseSessionTest, BeginsAnewWithADeviceThatComesBack) {
     EXPECT_EQ(after_ms(1, {1.0, 0.0, 0.0}), probe_message("049D", false)) << "loose until its ramp";
 }
 
-TEST_F(InverseSessionTest, RejectsWhatTheServiceWouldNotSayAndTellsWhy) {
+TEST_F(InverseSessionTest, RejectsInvalidMessagesWithAReason) {
     session_.opened();
     EXPECT_FALSE(session_.take("hello", 0));
     session_.closed("not a message of the Inverse service");

@@ -33,7 +33,7 @@ TEST(FindService, SaysThatNothingListens) {
     EXPECT_EQ(found.error().message, fmt::format("nothing listens at 127.0.0.1:{}", port.number()));
 }
 
-TEST(FindService, GivesUpOnWhoeverDoesNotAnswerInTime) {
+TEST(FindService, TimesOutWithoutAnAnswer) {
     // A queue of waiting connections that is full: the kernel lets the next one wait.
     const int listening = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in address{};

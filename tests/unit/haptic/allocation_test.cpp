@@ -1,5 +1,5 @@
 // A program of its own: it counts every allocation of the process by replacing the allocation functions.
-// Under AddressSanitizer and ThreadSanitizer these are taken; there the other suites watch instead.
+// AddressSanitizer and ThreadSanitizer replace them themselves; there other suites check instead.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -41,7 +41,7 @@ TEST(HapticTick, OfTheStudioClayAllocatesNothing) {
     EXPECT_GT(state.studio()->ledger().trimmings_mm3, 0.0);
 }
 
-// What is sent ahead is allocated by the main thread, here before the count.
+// The main thread allocates the sent states, here before the count.
 TEST(HapticWork, AllocatesNothingWhileItPutsStatesOnTheWheel) {
     HapticParameters parameters;
     HapticWork work(test::studio_start(), parameters, std::make_unique<test::StudioHand>(1000.0), {});

@@ -1,4 +1,4 @@
-// States kept in little room: every one comes back to the bit, however many were let go between them.
+// Compressed checkpoints: each is restored to the bit, however many between them were dropped.
 #include "game/haptic/checkpoints.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// A row of numbers of which a stretch changes from one to the next, and whose length does at times.
+// A sequence of states in which a range of numbers changes, and sometimes the length.
 class Growing {
   public:
     Bytes next() {
@@ -51,7 +51,7 @@ TEST(Checkpoints, GiveBackWhatWasPutInToTheBit) {
     EXPECT_EQ(kept.count(), put.size());
     EXPECT_EQ(kept.tick_before(204), 195U);
     EXPECT_EQ(kept.tick_before(205), 205U);
-    EXPECT_LT(kept.bytes(), put.rbegin()->second.size() * put.size() / 8) << "what is the same is kept once";
+    EXPECT_LT(kept.bytes(), put.rbegin()->second.size() * put.size() / 8) << "equal parts are stored once";
     expect_all(kept, put);
 }
 

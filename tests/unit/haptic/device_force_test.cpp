@@ -1,4 +1,4 @@
-// What of the clay's forces a device gets, and what fit_to_device makes of what a device says of itself.
+// The device's part of the clay's forces, and fit_to_device() for a device's capabilities.
 #include "game/haptic/device_force.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace onggi::haptic {
 namespace {
 
-// Pressed obliquely into clay of 4 N/mm that the wheel drags along.
+// Pressed obliquely into clay of 4 N/mm, with the wheel's drag.
 clay::ContactForces pressed() {
     clay::ContactForces forces;
     forces.contacts = 3;
@@ -22,7 +22,7 @@ DeviceForce told(const DeviceFeel& feel, bool shows_wall) {
     return device_force(pressed(), {1.0, 2.0, 0.0}, 0.1, true, feel, shows_wall);
 }
 
-// A device with walls of its own and an axis without.
+// A device that renders walls itself on one axis and not on the other.
 haptics::DeviceCapabilities walled() {
     return {.name = "walled",
             .force_axes = 2,
@@ -52,7 +52,7 @@ TEST(DeviceForce, IsSofterByTheSameShareOnEachAxisThatIsToldItsForceOverAWire) {
 }
 
 TEST(DeviceForce, IsCappedAsAWholeFirst) {
-    // At 2 N/mm all is half; then the wire's axis a half of that.
+    // At 2 N/mm everything is half; the axis over the wire is half of that again.
     const DeviceForce force =
         told({.most_stiffness_n_per_mm = 2.0, .most_wire_stiffness_n_per_mm = 1.0}, true);
     EXPECT_NEAR(force.wanted_n.x, 0.5 * 2.0 - 0.1, 1e-12);
@@ -105,7 +105,7 @@ TEST(FitToDevice, JudgesWhatDoesNotSayItsWeightAsLight) {
     EXPECT_LT(parameters.feel.most_stiffness_n_per_mm, 0.6);
 }
 
-// The tick hands on what the device says of its wall.
+// The tick passes on the device's shows_wall.
 TEST(Tick, ShowsTheRadiusSofterOnlyWhereTheDeviceHasNoWall) {
     const auto radial_n = [](bool shows_wall) {
         HapticState state;

@@ -1,4 +1,4 @@
-// The staff's test of a hand: what is asked, what is let through, what the hand is seen to answer.
+// The staff's force test of a device: the wanted force, the allowed force, and the measured response.
 #include "game/haptic/force_test.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ double size_of(const dvec3& v) {
     return std::sqrt(glm::dot(v, v));
 }
 
-// A hand far from the clay, on a spring of 0.2 N/mm, that keeps what it was told.
+// A hand far from the clay, on a spring of 0.2 N/mm, that keeps the last force.
 class SpringHand final : public haptics::HapticDevice {
   public:
     explicit SpringHand(double peak_force_n) : peak_force_n_(peak_force_n) {}
@@ -105,7 +105,7 @@ TEST(ForceTest, PushesEachWayInTurnAndSaysWhatTheHandDid) {
     EXPECT_EQ(size_of(bench.hand->told.back()), 0.0);
 }
 
-TEST(ForceTest, WaitsForTheRampWhereNobodyWasAtTheWheelAndLeavesNobodyThere) {
+TEST(ForceTest, WaitsForTheRampAfterAnAbsentHandAndLeavesItAbsent) {
     Bench bench;
     bench.run(2000);
     EXPECT_TRUE(bench.work->send(Command::kLetGo));
@@ -144,13 +144,13 @@ TEST(ForceTest, GivesTheSameForcesToTheBitAndLeavesTheClayAlone) {
     TickRecord record;
     int records = 0;
     while (one.work->take_record(record)) {
-        EXPECT_EQ(record.force_n, dvec3(0.0)) << "what is recorded is the clay's force";
+        EXPECT_EQ(record.force_n, dvec3(0.0)) << "the recording has the clay's force";
         ++records;
     }
     EXPECT_EQ(records, 4500);
 }
 
-TEST(ForceTest, StopsForTheStopKeyAFreshLumpAndAHandThatNobodyHolds) {
+TEST(ForceTest, StopsForTheStopKeyAFreshLumpAndAReleasedHand) {
     Bench stopped;
     stopped.run(2000);
     stopped.tests_the_force(150);

@@ -1,5 +1,5 @@
-// How old the clay is that a frame shows: both loops as they are, each on a core with a virtual clock of its
-// own, and the hand-off between them.
+// The age of the clay in a frame: both loops, each on a simulated core with a virtual clock, and the buffer
+// between them.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -21,7 +21,7 @@ struct Age {
     std::int64_t shape_ns = 0;     // since the tick in which the copy of the rings was finished
 };
 
-// The haptic core goes on whenever the picture's clock is ahead of it, by whole ticks and never past it.
+// Advances the haptic core by whole ticks up to the picture's clock.
 class TwoCores {
   public:
     explicit TwoCores(double rate_hz)
@@ -31,7 +31,7 @@ class TwoCores {
           work_(test::studio_start(), parameters_at(rate_hz), std::make_unique<test::StudioHand>(rate_hz),
                 {}) {}
 
-    // One frame that takes so long; the age of what it shows at the moment it is on the screen.
+    // Draws one frame that takes work_ns. Returns the age of its content when it appears on the screen.
     Age frame(std::int64_t work_ns) {
         frames_.wait();
         catch_up();
@@ -94,7 +94,7 @@ TEST_P(Freshness, IsAFramesAgainRightAfterAFrameThatTookLong) {
         const bool is_long = frame % 10 == 5;
         if (frame % 10 == 8) cores.wake_late_once(7 * kMs);
         const std::int64_t work_ns = is_long ? 90 * kMs : 9 * kMs;
-        // However late it is, it shows what was newest when it began.
+        // A late frame still shows the newest state at its start.
         ASSERT_LE(cores.frame(work_ns).snapshot_ns, work_ns + 2 * cores.tick_ns()) << "frame " << frame;
     }
 }

@@ -1,4 +1,4 @@
-// Undo: going back to any moment by replay, and to the bit.
+// Undo: returns to any moment by replay, to the bit.
 #include "game/haptic/history.h"
 
 #include <gtest/gtest.h>
@@ -115,7 +115,7 @@ TEST_F(HistoryTest, GoesOnFromWhereItWasTakenBackTo) {
     EXPECT_EQ(wheel.history.state_at(3000).value().hash(), straight.history.state_at(3000).value().hash());
 }
 
-TEST_F(HistoryTest, BeginsAnewWithAFreshLump) {
+TEST_F(HistoryTest, RestartsWithAFreshLump) {
     wheel.throw_until(1500);
     wheel.state.restart_from(test::studio_start());
     wheel.tick(0, TickRecord::kFreshLump);
@@ -128,7 +128,7 @@ TEST_F(HistoryTest, BeginsAnewWithAFreshLump) {
 TEST_F(HistoryTest, SaysSoWhenARecordIsMissing) {
     wheel.throw_until(100);
     haptic::tick(wheel.state, test::studio_hand(100, kHistoryRateHz),
-                 wheel.parameters);  // nobody recorded it
+                 wheel.parameters);  // not recorded
     wheel.throw_until(200);
     EXPECT_FALSE(wheel.history.is_whole());
     wheel.state.restart_from(test::studio_start());

@@ -1,4 +1,4 @@
-// What is kept of a visit's ticks: every one of them to the bit, and in how little memory.
+// The log of a visit's ticks: each is restored to the bit, and the log needs little memory.
 #include "game/haptic/input_log.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kBlock = InputLog::kBlock;
 
-// A hand that moves for a while and then rests, with numbers that no difference survives in between.
+// A hand that moves for a while and then rests, with numbers that do not compress as differences.
 LoggedInput input_at(std::size_t tick) {
     const double phase = tick % 5000 < 2500 ? static_cast<double>(tick % 5000) * 1e-3 : 2.5;
     LoggedInput input{.position_mm = {60.0 * std::cos(phase), 40.0 + 3.0 * phase, -0.0},

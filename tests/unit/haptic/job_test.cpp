@@ -21,7 +21,7 @@ struct JobBench {
         : device(*owned),
           work(HapticState(), HapticParameters{}, std::move(owned), options) {}
 
-    // Runs on virtual time until the work is done, or so many ticks.
+    // Runs on virtual time until the work is done, at most most_ticks.
     jobs::TickStats run(std::uint64_t most_ticks = 1'000'000, std::int64_t tick_ns = 1000) {
         jobs::Pacer pacer(clock, {.rate_hz = 1000.0, .wait = jobs::WaitMode::kSleep});
         bool more = true;
@@ -127,7 +127,7 @@ TEST(HapticWork, KeepsARecordOfEveryTickThatReplaysToTheSameHashes) {
     EXPECT_EQ(replayed.hash(), bench.work.state().hash());
 }
 
-TEST(HapticWork, CountsTheRecordsNobodyFetched) {
+TEST(HapticWork, CountsUnreadRecords) {
     JobBench bench({.run_ticks = 100, .record_capacity = 64});
     bench.run();
     EXPECT_EQ(bench.work.dropped_records(), 36U);
@@ -165,7 +165,7 @@ TEST(HapticWork, PutsOnAFreshLumpWhenTold) {
     EXPECT_EQ(bench.work.newest_snapshot().run, 1U);
 }
 
-// A script with one tick of nonsense in it.
+// A script with one invalid tick.
 class FaultyDevice final : public ScriptedDevice {
   public:
     haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {

@@ -1,4 +1,4 @@
-// What of moving clay the picture gets.
+// The copy of moving clay for the picture.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The haptic loop with the studio's clay: what it hands over, and that a replay gives the same bits.
+// The haptic loop with the studio's clay: its snapshots and records, and that a replay gives the same bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ TEST(StudioLoop, AFreshLumpIsTheLumpItBeganWith) {
     EXPECT_EQ(loop.work.state().hash(), once.work.state().hash());
 }
 
-// What the picture got, against the clay itself.
+// Compares the picture's shape with the clay.
 void expect_shape_of(const pot::Pot& shape, const clay::StudioClay& clay, double within_mm) {
     const auto& outer = shape.outer_mm;
     const auto& inner = shape.inner_mm;
@@ -101,7 +101,7 @@ TEST(StudioLoop, HandsTheWholePotOverTwiceAFrame) {
     for (int k = 0; k < 9000; ++k) {
         loop.run(1);
         const Snapshot& snapshot = loop.work.newest_snapshot();
-        ASSERT_EQ(snapshot.tick, static_cast<std::uint64_t>(k + 1)) << "what is cheap comes every tick";
+        ASSERT_EQ(snapshot.tick, static_cast<std::uint64_t>(k + 1)) << "cheap values come every tick";
         if (snapshot.pot_stamp.tick == last) continue;
         last = snapshot.pot_stamp.tick;
         ASSERT_EQ(last, snapshot.tick);
@@ -164,7 +164,7 @@ TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {
     EXPECT_EQ(loop.work.state().hash(), earlier.hash());
     loop.run(100);
     EXPECT_EQ(loop.work.state().ticks, 2601U);
-    // More than fit are refused, and nothing is lost of those that were taken.
+    // A full queue refuses more, and loses none of the accepted ones.
     int taken = 0;
     while (loop.work.put(std::make_unique<HapticState>(earlier), 0))
         ++taken;
@@ -173,9 +173,8 @@ TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {
     EXPECT_EQ(loop.work.newest_snapshot().states_put, 1U + static_cast<std::uint64_t>(taken));
 }
 
-// A hand that waits beside the pot when the pot of a moment ago is put back, in which it was at work: with
-// what that clay remembers of it, it would have come through the walls and would go on pressing from where it
-// is.
+// A hand waits beside the pot while undo restores a state in which it was at work. With that state's memory
+// of the hand it would appear to have passed through the walls and would go on pressing.
 TEST(StudioLoop, DoesNotTakeAHandThatHasMovedOnForOneThatCameThroughTheWall) {
     const auto resting = [](const dvec3& place_mm) {
         auto device = std::make_unique<haptics::SimulatedDevice>();
@@ -211,7 +210,7 @@ TEST(StudioLoop, DoesNotTakeAHandThatHasMovedOnForOneThatCameThroughTheWall) {
     }
 }
 
-// Who asks for undo and then for new clay gets new clay, however long the undo took to work out.
+// Undo followed by new clay yields new clay, however long the undo takes.
 TEST(StudioLoop, LetsGoOfAStateOfTheLumpBefore) {
     StudioLoop loop;
     loop.run(100);

@@ -65,7 +65,7 @@ TEST_F(HapticTick, LimitsWhatGoesToTheDeviceButNotWhatIsRecorded) {
 
     for (int k = 0; k < 1200; ++k)
         tick(state, kAway, parameters);
-    // As quick as a hand may be: a jump would be taken for a throw, and let go.
+    // As fast as a hand may be: a jump would count as a throw and stop the force.
     ToolState on_the_way = kAway;
     TickResult later;
     for (int k = 0; k < 1800; ++k) {
@@ -137,7 +137,7 @@ TEST_F(HapticTick, TouchesNothingWhenTheVeryFirstToolIsNonsense) {
 }
 
 TEST_F(HapticTick, RecordsToolsThatReplayToTheSameState) {
-    // What was wild live is tame in the record, and the record gives the same clay.
+    // Invalid live values are clamped in the record, which gives the same clay.
     HapticState live;
     HapticState replayed;
     const HapticParameters parameters;

@@ -74,7 +74,7 @@ TEST(Gesture, SaysToAClayWithAnInsideWhatItsExtraColumnsName) {
         first.second,
         (SecondHand{
             .present = true, .tool = haptic::kRib, .radius_mm = 7.0, .position_mm = {-30.0, 20.0, 5.0}}));
-    // What a row leaves empty is as by default; a second hand is as large as the first.
+    // Empty fields have their defaults; a second hand is as large as the first.
     const ToolState& second = gesture.rows()[1].tool;
     EXPECT_EQ(second.tool, ToolKind::kHand);
     EXPECT_EQ(second.wheel_speed_rev_min, ToolState{}.wheel_speed_rev_min);
@@ -158,7 +158,7 @@ TEST(Gesture, MayHaveColumnsToTheRight) {
 }
 
 TEST(Gesture, IsTheSameInEveryLocale) {
-    // Where a comma divides whole from broken numbers, a parser that asks the locale reads 95.5 as 95.
+    // In a locale with a decimal comma a locale-dependent parser reads 95.5 as 95.
     const char* before = std::setlocale(LC_ALL, nullptr);
     for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "ko_KR.UTF-8", "C"}) {
         std::setlocale(LC_ALL, locale);

@@ -1,4 +1,4 @@
-// Several hands at one wheel: who has the tool, how it changes hands, and who feels the clay.
+// Several hands at one wheel: which one holds the tool, how it changes, and which one feels the clay.
 #include "engine/haptics/hands.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStep = 0.001;
 
-// What the test does with a hand.
+// The test's control of a hand.
 struct Puppet {
     ToolState tool;
     DeviceCapabilities can{.name = "puppet"};
@@ -144,7 +144,7 @@ TEST_F(HandsTest, TheToolLeavesTheClayWhenTheHandThatHeldItIsGoneForGood) {
     after(0.4);
     EXPECT_EQ(hands_->holder(), 2U) << "a loose plug is back in a moment";
     after(0.2);
-    EXPECT_EQ(hands_->holder(), 0U) << "nobody has to know that the mouse is to be moved";
+    EXPECT_EQ(hands_->holder(), 0U) << "the visitor need not know that the mouse must be moved";
     EXPECT_EQ(after(0.2).position_mm, mouse_.tool.position_mm);
     stick_.is_here = true;
     after(kStep);
@@ -155,7 +155,7 @@ TEST_F(HandsTest, OneThatSaysNonsenseLosesTheToolAndGetsItBackBySense) {
     const dvec3 sense_mm = stick_.tool.position_mm;
     for (const dvec3& nonsense_mm :
          {dvec3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), dvec3(0.0, 2000.0, 0.0)}) {
-        stick_.is_moving = true;  // and trembles for ever
+        stick_.is_moving = true;  // and never stops trembling
         after(1.0);
         ASSERT_EQ(hands_->holder(), 2U);
         stick_.tool.position_mm = nonsense_mm;
@@ -212,7 +212,7 @@ TEST_F(HandsTest, ADeviceThatComesInTheMidstOfATouchIsABallThatComesFromBeforeTh
     ASSERT_TRUE(stick_.took_over);
     EXPECT_GT(stick_.took_over->position_mm.z, 150.0);
     EXPECT_EQ(after(1.0).position_mm, stick_.tool.position_mm);
-    // And back: a finger is where it is, with no way through the clay.
+    // And back: a finger's position applies at once, without an approach.
     stick_.is_moving = false;
     mouse_.is_moving = true;
     mouse_.tool.pressing = false;
@@ -259,7 +259,7 @@ TEST_F(HandsTest, AfterAChangeTheForceStartsFromNothingOnceItIsSmall) {
 }
 
 TEST_F(HandsTest, TheObserverCountsTheWorkOfWhatReallyWentOut) {
-    // A hand takes the tool over, and is pushed while it moves: its own ramp comes on top of the chain's.
+    // A hand takes the tool over and feels a force while it moves: its own ramp multiplies the chain's.
     const SafetyLimits limits = limits_for(stick_.can);
     SafetyState safety;
     dvec3 last_mm(0.0);
@@ -282,7 +282,7 @@ TEST_F(HandsTest, TheObserverCountsTheWorkOfWhatReallyWentOut) {
             limits, safety));
         ASSERT_NEAR(safety.given_mj - safety.taken_mj, work_mj, 1e-9) << k;
     }
-    EXPECT_GT(asked_mj, work_mj + 1.0) << "the ramp has taken some of it";
+    EXPECT_GT(asked_mj, work_mj + 1.0) << "the ramp has reduced it";
     EXPECT_GT(work_mj, 1.0);
 }
 

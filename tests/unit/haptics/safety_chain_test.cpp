@@ -33,7 +33,7 @@ class RandomForces {
     std::uniform_real_distribution<double> exponent_{-3.0, 6.0};
 };
 
-// The rows of SAFETY.md's tables that begin with a name and what it does.
+// The rows of SAFETY.md's tables for these stages.
 std::string rows_of(std::span<const SafetyStage> stages) {
     std::string rows;
     for (const SafetyStage& stage : stages)
@@ -161,7 +161,7 @@ TEST(SafetyGate, LatchesAFaultOnWhatIsNotFiniteOrOutside) {
         EXPECT_EQ(state.fault, one.fault) << words_for(one.fault);
         EXPECT_EQ(state.fault_count, 1U);
         EXPECT_NE(words_for(one.fault), words_for(Fault::kNone));
-        // Latched: all is well again, and still no force.
+        // Latched: the input is valid again, and still no force.
         for (int i = 0; i < 10'000; ++i) {
             ASSERT_EQ(apply_safety_chain(good_force, kInside, {}, state), dvec3(0.0));
         }
@@ -232,7 +232,7 @@ TEST(SafetyRamp, WaitsForASmallForceForMoreThanThreeTicks) {
     const dvec3 large(0.21, 0.0, 0.0);
     for (int i = 0; i < 3; ++i)
         EXPECT_EQ(ramp(small, kInside, {}, state), dvec3(0.0));
-    EXPECT_EQ(ramp(large, kInside, {}, state), dvec3(0.0));  // begins to wait anew
+    EXPECT_EQ(ramp(large, kInside, {}, state), dvec3(0.0));  // the wait restarts
     for (int i = 0; i < 4; ++i)
         EXPECT_EQ(ramp(small, kInside, {}, state), dvec3(0.0));
     EXPECT_GT(ramp(large, kInside, {}, state).x, 0.0);

@@ -1,4 +1,4 @@
-// The stages that know of time, work and people: speed, late, passivity, hand, budget; the rest is in
+// The stages that depend on time, work and the hand: speed, late, passivity, hand, budget; the rest is in
 // safety_chain_test.cpp.
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(SafetySpeed, LetsAToolFlyThroughTheAir) {
     EXPECT_EQ(state.speed_stops, 0U);
 }
 
-// So many seconds in which every n-th period is missed; the force that is left of 1 N at their end.
+// Misses every n-th period for `seconds`. Returns the force left of 1 N at the end.
 double after_missing(SafetyState& state, int every, double seconds) {
     const SafetyLimits limits;
     double left = 0.0;
@@ -143,7 +143,8 @@ TEST(SafetyPassivity, LetsTheMotorOfTheWheelDragTheHand) {
     EXPECT_NEAR(state.given_mj, 0.07 * 40.0, 0.01);
 }
 
-// Drags a hand along by so much for 100 ms, wanting far more; the balance after a debt of 5 mJ.
+// Drags a hand along for 100 ms with a limited force. Returns the energy balance, which starts at a debt of 5
+// mJ.
 double balance_after_a_drag(const SafetyLimits& limits, SafetyState& state, double gain, double fraction) {
     dvec3 at(60.0, 100.0, 0.0);
     const dvec3 drag(0.0, 0.0, -20.0);
@@ -159,8 +160,7 @@ double balance_after_a_drag(const SafetyLimits& limits, SafetyState& state, doub
 }
 
 TEST(SafetyPassivity, PutsToTheWheelsCreditWhatWentOutOfItsDragAndNoMore) {
-    // The same drag comes out of each stage that leaves little of it: whatever that is, the wheel has paid
-    // for it, and for nothing else.
+    // The same drag after each stage that reduces it: the wheel is credited with the remaining drag only.
     SafetyState clamped = engaged();
     EXPECT_NEAR(balance_after_a_drag({}, clamped, 1.0, 1.0), -5.0, 1e-9);
     EXPECT_GT(clamped.given_mj, 5.0);
@@ -172,7 +172,7 @@ TEST(SafetyPassivity, PutsToTheWheelsCreditWhatWentOutOfItsDragAndNoMore) {
     SafetyState ramped = engaged();
     ramped.ramp = 0.0;
     EXPECT_NEAR(balance_after_a_drag({}, ramped, 1.0, 1.0), -5.0, 1e-9);
-    // And what the device itself kept back was neither given nor paid for.
+    // Force that the device itself holds back is neither counted nor credited.
     SafetyState held_back = engaged();
     EXPECT_NEAR(balance_after_a_drag({}, held_back, 1.0, 0.25), -5.0, 1e-9);
     EXPECT_NEAR(held_back.given_mj, 0.25 * clamped.given_mj, 1e-9);
@@ -180,7 +180,7 @@ TEST(SafetyPassivity, PutsToTheWheelsCreditWhatWentOutOfItsDragAndNoMore) {
 
 TEST(SafetyPassivity, KnowsTheMotorsPartOfWhateverGoesOut) {
     // A third of every force is the motor's: then it is a third of what goes out, through every stage, while
-    // the force jumps, turns, ramps and is late; a brake and the damping are nobody's but the chain's.
+    // the force jumps, turns, ramps and is late; brake and damping belong to the chain, not to the motor.
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-4.0, 4.0);
     SafetyState state;

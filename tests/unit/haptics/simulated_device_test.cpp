@@ -110,7 +110,7 @@ TEST(SimulatedDevice, ComesToRestAgainstAStiffWallAtEveryRate) {
 }
 
 TEST(SimulatedDevice, IsUnstableWhereItsBoundSaysSo) {
-    // The bound of simulated_device.h is not decoration: a wall four times as stiff breaks it at 100 Hz.
+    // The bound of simulated_device.h is real: a wall four times as stiff exceeds it at 100 Hz.
     const auto grows = [](double stiffness_n_per_mm, double rate_hz) {
         SimulatedDevice device;
         start_at_rest(device);
@@ -152,7 +152,7 @@ TEST(SimulatedDevice, IgnoresATargetThatIsNoNumberAndStaysWithinTheWorkspace) {
     EXPECT_EQ(tool.radius_mm, kMaxToolRadiusMm);
 }
 
-// A loop that is late for a frame finds the next one's target alone.
+// A loop that is late by a frame sees only the next frame's target.
 TEST(SimulatedDevice, DoesACommandOnceThoughItsTargetWasReplacedBeforeARead) {
     constexpr WorkCommand kCommand{1};
     for (const bool guided : {false, true}) {

@@ -1,4 +1,4 @@
-// A pipe stands for the keyboard: the kernel's events come out of either.
+// A pipe replaces the keyboard: both yield the kernel's events.
 #include "engine/haptics/stop_key.h"
 
 #include <fcntl.h>
@@ -73,7 +73,7 @@ TEST(StopKey, SurvivesAKeyboardThatIsPulledOut) {
     EXPECT_EQ(presses, 1);
 }
 
-TEST(StopKey, IsHeardWhileNobodyElseListens) {
+TEST(StopKey, WorksWhileEveryOtherThreadHangs) {
     // This thread is the one that hangs: it only sleeps.
     Keyboard keyboard;
     std::atomic<bool> stopped{false};

@@ -40,7 +40,7 @@ TEST_F(WatchdogTest, LetsTheDeviceGoWhenTheLoopStandsStill) {
     }
     EXPECT_LE(silent_ns, 6 * kMs);
     EXPECT_EQ(watchdog.silences(), 1U);
-    // It says so every time it looks, in case one is lost; it is one silence all the same.
+    // It repeats the call at every check, in case one is lost; it still counts as one silence.
     (void)watchdog.round(now_ns += kMs);
     EXPECT_EQ(device.times, 2);
     EXPECT_EQ(watchdog.silences(), 1U);

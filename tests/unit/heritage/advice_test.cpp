@@ -1,4 +1,4 @@
-// One good thing and one to try next, beside pots that differ from a museum's in one part alone.
+// Praise and advice for pots that differ from a museum's in one part only.
 #include "game/heritage/advice.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Advice, NamesThePartThatIsFarthestOffAndWhichWay) {
     EXPECT_EQ(next_key(advise(thick, jar, 0.5)), "tip.next.wall.less");
     PotForm thin = like(jar, 0.5);
     thin.wall_mm = 1.0;
-    EXPECT_FALSE(advise(thin, jar, 0.5).next) << "nobody is told to leave more clay in a wall";
+    EXPECT_FALSE(advise(thin, jar, 0.5).next) << "no advice to leave more clay in a wall";
 }
 
 TEST(Advice, PraisesNoBellyOfAStraightWall) {

@@ -1,4 +1,4 @@
-// Jars of two bowls: which they are, what each bowl is, how far from round a pot has come out.
+// Jars of two bowls: which targets, the outline of each bowl, and a pot's roundness error.
 #include "game/heritage/jar.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ TEST(JarOfTwo, IsItsLowerHalfTwice) {
     const auto target = find_target(*targets, "moon-jar-nmk");
     ASSERT_TRUE(target);
     const JarOfTwo jar = jar_of_two(*target, clay::ClayBody::kStoneware, {.most_g = 1000.0, .wall_mm = 8.0});
-    EXPECT_EQ(jar.size.part, "1/2") << "two kilograms are half of it";
+    EXPECT_EQ(jar.size.part, "1/2") << "two kilograms are half of the jar";
     const double wet = jar.size.wet_scale;
     EXPECT_NEAR(wet, 0.5 * clay::wet_scale_of_fired(clay::ClayBody::kStoneware), 1e-9);
     // Published: 120 mm across the foot, 302 at 158.6 mm, a mouth of 142.
@@ -36,7 +36,7 @@ TEST(JarOfTwo, IsAsFarFromRoundAsItsBellyStandsAside) {
     pot.set_wall(50.0, 6.0, 10.0, 60.0, 400);
     EXPECT_NEAR(off_round_mm(pot), 0.0, 1e-6);
     pot.set_centre({3.0, 4.0});
-    EXPECT_NEAR(off_round_mm(pot), 0.0, 1e-6) << "all of it stands aside, its foot too";
+    EXPECT_NEAR(off_round_mm(pot), 0.0, 1e-6) << "the whole bowl is set aside, including its foot";
 }
 
 }  // namespace

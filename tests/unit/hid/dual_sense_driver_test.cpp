@@ -80,7 +80,7 @@ TEST_F(DualSenseDriverTest, IsStaleAfterATenthOfASecond) {
 TEST_F(DualSenseDriverTest, ShowsTheClaysStiffnessAlongTheTrigger) {
     // Trigger half pulled (128 of 255: 10.04 mm of 20). The tool at 60 mm, pushed out by 1 N of 0.5 N/mm:
     // contact 2 mm before it, at 8.04 mm of travel. Zones are 2 mm wide: the centre of zone 4, at 9 mm, gets
-    // 0.48 N of 3.3 N, one of eight; zone 5 at 11 mm 1.48 N, four; then 2.48 N, six; then all of it.
+    // 0.48 N of 3.3 N, one of eight; zone 5 at 11 mm 1.48 N, four; then 2.48 N, six; then all eight.
     driver.take_report(report_with({{6, 128}}), 0);
     const auto report = told({.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 1}, 20 * kMs);
     ASSERT_EQ(report.size(), 48U);
@@ -198,6 +198,19 @@ TEST_F(DualSenseDriverTest, SaysNothingTwiceAndNothingTooOften) {
     order.force_n.x = 0.5;
     EXPECT_TRUE(told(order, 65 * kMs).empty()) << "5 ms after the last";
     EXPECT_FALSE(told(order, 70 * kMs).empty());
+}
+
+TEST_F(DualSenseDriverTest, MovesTheToolAlthoughThePadRefusesToBeTold) {
+    script->write_fails = true;
+    ASSERT_TRUE(driver.start({}, port));
+    driver.take_report(report_with({{1, 255}}), 0);
+    EXPECT_TRUE(driver.send(port, {.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 1}, 20 * kMs));
+    EXPECT_GT(driver.input(0).rate_mm_s.x, 0.0);
+    script->write_fails = false;
+    EXPECT_FALSE(told({.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 2}, 40 * kMs).empty());
+    script->is_plugged_in = false;
+    script->write_fails = true;
+    EXPECT_FALSE(driver.send(port, {.force_n = {2.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 3}, 60 * kMs));
 }
 
 TEST_F(DualSenseDriverTest, LeavesThePadLooseStillAndDark) {

@@ -26,7 +26,7 @@ std::array<std::uint8_t, kTriggerZones> from_zone(std::size_t first, std::uint8_
     return strengths;
 }
 
-// A report at rest, but for what a test looks at: bytes from a place on.
+// A report at rest, with bytes replaced from an offset on.
 std::vector<std::uint8_t> resting_report(
     std::initializer_list<std::pair<std::size_t, std::string_view>> patches = {}) {
     std::vector<std::uint8_t> report(64, 0);
@@ -135,12 +135,12 @@ TEST(DualSense, RejectsReportsOfAnotherKind) {
     report.pop_back();
     EXPECT_FALSE(dual_sense_state(report));
     report = resting_report();
-    report[0] = 0x31;  // by radio they are longer
+    report[0] = 0x31;  // over Bluetooth they are longer
     EXPECT_FALSE(dual_sense_state(report));
     EXPECT_FALSE(dual_sense_state({}));
 }
 
-// What a pad by radio says where one by cable says `report`.
+// The Bluetooth form of the USB report.
 std::vector<std::uint8_t> radio_report(const std::vector<std::uint8_t>& report) {
     std::vector<std::uint8_t> bytes(78, 0);
     bytes[0] = 0x31;

@@ -1,5 +1,5 @@
-// A HID device as the haptic loop sees it, with its I/O thread running against a scripted device. Few and
-// short: what can be shown without a thread is shown in hid_session_test.cpp.
+// A HID device as the haptic loop sees it, with its I/O thread running against a scripted device. Few tests;
+// those without a thread are in hid_session_test.cpp.
 #include "engine/haptics/hid/hid_device.h"
 
 #include <gtest/gtest.h>
@@ -130,7 +130,7 @@ TEST(MakeHidDevice, MakesOneOfEachKindButTheUnknown) {
     EXPECT_EQ(make_hid_device({}), nullptr);
     EXPECT_EQ(make_hid_device({.kind = HidKind::kForceJoystick})->capabilities().force_axes, 2);
     EXPECT_EQ(make_hid_device({.kind = HidKind::kSpaceMouse})->capabilities().force_axes, 0);
-    // A trigger is told its resistance and no force; what has no motors shows no wall.
+    // A trigger gets a resistance, not a force; a device without motors renders no wall.
     EXPECT_TRUE(make_hid_device({.kind = HidKind::kDualSense})->capabilities().has_own_walls);
     EXPECT_EQ(make_hid_device({.kind = HidKind::kDualSense})->capabilities().wire_rate_hz, 0.0);
     EXPECT_FALSE(make_hid_device({.kind = HidKind::kSpaceMouse})->capabilities().has_own_walls);

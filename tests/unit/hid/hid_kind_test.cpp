@@ -1,4 +1,4 @@
-// Which driver a device gets, and what a person is told about one that gets none.
+// The driver of a device, and the message about a device without one.
 #include "engine/haptics/hid/hid_kind.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(HidKind, KnowsDevicesByTheirNumbers) {
     }
 }
 
-TEST(HidKind, KnowsForceJoysticksByTheirDescriptorWhoeverMadeThem) {
+TEST(HidKind, KnowsForceJoysticksOfAnyMakerByTheirDescriptor) {
     HidDeviceInfo stick = device(0x1234, 0x5678);
     stick.report_descriptor = testing::open_ffboard_descriptor();
     EXPECT_EQ(recognised(stick).kind, HidKind::kForceJoystick);
@@ -52,6 +52,34 @@ TEST(HidKind, KnowsANewerSpaceMouseByWhatItSaysItIs) {
     EXPECT_EQ(recognised(mouse).kind, HidKind::kUnknown);
     EXPECT_EQ(recognised(mouse).refusal, "no driver here knows it");
     EXPECT_EQ(recognised(mouse).can, "");
+}
+
+// A receiver shows several interfaces under one pair of numbers: a mouse's, a keyboard's and the one with the
+// axes.
+TEST(HidKind, TakesOfSeveralInterfacesTheOneThatHasTheAxes) {
+    const auto mouse = testing::hex(
+        "05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 75 01 95 03 81 02 75 05 95 01 "
+        "81 01 05 01 09 30 09 31 15 81 25 7f 75 08 95 02 81 06 c0 c0");
+    const auto keyboard =
+        testing::hex("05 01 09 06 a1 01 05 07 19 e0 29 e7 15 00 25 01 75 01 95 08 81 02 c0");
+    const auto axes = testing::hex(
+        "05 01 09 08 a1 01 a1 00 85 01 16 a2 fe 26 5e 01 09 30 09 31 09 32 75 10 95 03 81 06 c0 c0");
+    const auto unnamed_axes =
+        testing::hex("05 01 09 04 a1 01 85 01 16 a2 fe 26 5e 01 09 30 09 31 09 32 75 10 95 03 81 06 c0");
+    for (HidDeviceInfo receiver : {device(0x256f, 0xc652), device(0x046d, 0xc626), device(0x256f, 0xc62f)}) {
+        for (const auto& other : {mouse, keyboard}) {
+            receiver.report_descriptor = other;
+            EXPECT_EQ(recognised(receiver).kind, HidKind::kUnknown);
+        }
+        for (const auto& right : {axes, unnamed_axes, std::vector<std::uint8_t>()}) {
+            receiver.report_descriptor = right;
+            EXPECT_EQ(recognised(receiver).kind, HidKind::kSpaceMouse);
+        }
+    }
+    for (HidDeviceInfo other : {device(0x054c, 0x0ce6), device(0x346e, 0x1000)}) {
+        other.report_descriptor = keyboard;
+        EXPECT_EQ(recognised(other).kind, HidKind::kUnknown);
+    }
 }
 
 TEST(HidKind, SaysWhyADeviceIsRefusedAndWhatMendsIt) {

@@ -1,4 +1,4 @@
-// A device's life: found, heard, told, lost, found again. Scripted device, virtual time.
+// A device's session: found, read, sent forces, lost, found again. Scripted device, virtual time.
 #include "engine/haptics/hid/hid_session.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 using testing::ScriptedBus;
 using testing::ScriptedHid;
 
-// Says each report's second byte as a place in mm, and notes the force it is told.
+// Uses each report's second byte as a position in mm, and stores the sent forces.
 class NotingDriver final : public HidDriver {
   public:
     explicit NotingDriver(std::vector<std::string>& notes) : notes_(notes) {}
@@ -106,7 +106,7 @@ TEST_F(HidSessionTest, PublishesTheNewestOfSixtyFourStaleReports) {
     EXPECT_TRUE(script->queue.empty());
 }
 
-TEST_F(HidSessionTest, ComesOutOfARoundAlthoughADeviceNeverFallsSilent) {
+TEST_F(HidSessionTest, EndsARoundAlthoughADeviceKeepsReporting) {
     step();
     for (int count = 0; count < 1000; ++count)
         script->report("01 05");
@@ -119,7 +119,7 @@ TEST_F(HidSessionTest, NoticesARemovalWithinTwoHundredMilliseconds) {
     step();
     ASSERT_TRUE(link.input.latest().is_live);
     step_until(now_ns + 500 * kMs);
-    // A device that neither fails nor speaks: its node alone is gone.
+    // A device that neither fails nor reports: only its node is gone.
     script->is_plugged_in = false;
     const std::int64_t removed_ns = now_ns;
     while (link.input.latest().is_live && now_ns < removed_ns + 1000 * kMs)
@@ -192,13 +192,13 @@ TEST_F(HidSessionTest, SaysHowMuchOfTheForceItsOwnRampLetThrough) {
     EXPECT_EQ(link.input.latest().force_fraction, 1.0);
     link.silences.fetch_add(1);
     step();
-    EXPECT_EQ(link.input.latest().force_fraction, 0.0) << "nothing goes out of what is silenced";
+    EXPECT_EQ(link.input.latest().force_fraction, 0.0) << "no force is sent while silenced";
     script->read_fails = true;
     step();
     EXPECT_EQ(link.input.latest().force_fraction, 0.0);
 }
 
-TEST_F(HidSessionTest, TakesTheForceAwayWhenTheTickStops) {
+TEST_F(HidSessionTest, RemovesTheForceWhenTheTickStops) {
     reach_full_force();
     ASSERT_GT(told->force_n.x, 0.9);
     const std::int64_t stopped_ns = now_ns;
@@ -209,7 +209,7 @@ TEST_F(HidSessionTest, TakesTheForceAwayWhenTheTickStops) {
     EXPECT_LE(last_round_ns - stopped_ns, 30 * kMs);
 }
 
-TEST_F(HidSessionTest, TakesTheForceAwayWhenItsInputIsStale) {
+TEST_F(HidSessionTest, RemovesTheForceWhenItsInputIsStale) {
     reach_full_force();
     ASSERT_GT(told->force_n.x, 0.9);
     script->report("00 10");
@@ -221,7 +221,7 @@ TEST_F(HidSessionTest, TakesTheForceAwayWhenItsInputIsStale) {
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kReady) << "it is still plugged in";
 }
 
-TEST_F(HidSessionTest, LeavesTheDeviceInPeaceWhenItEnds) {
+TEST_F(HidSessionTest, StopsTheForceWhenItEnds) {
     step();
     session->finish();
     EXPECT_EQ(notes, (std::vector<std::string>{"start", "stop"}));
@@ -239,13 +239,13 @@ TEST_F(HidSessionTest, SaysWhyADeviceIsRefused) {
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kRefused);
     EXPECT_EQ(link.status.latest().message, "may not be opened by this user");
     EXPECT_EQ(script->times_opened, 0);
-    // The rule is put in place while the program runs.
+    // The udev rule is installed while the program runs.
     script->info.refusal.clear();
     step_until(now_ns + 2000 * kMs);
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kReady);
 }
 
-TEST_F(HidSessionTest, SaysWhatADeviceDidNotDoAndTriesAgain) {
+TEST_F(HidSessionTest, ReportsAFailingDeviceAndTriesAgain) {
     told->refuses_ = true;
     step();
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kFailed);
@@ -256,7 +256,7 @@ TEST_F(HidSessionTest, SaysWhatADeviceDidNotDoAndTriesAgain) {
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kReady);
 }
 
-TEST_F(HidSessionTest, TakesTheNextDeviceWhereTheFirstDoesNotDoWhatItShould) {
+TEST_F(HidSessionTest, TakesTheNextDeviceIfTheFirstFails) {
     HidDeviceInfo broken = script->info;
     broken.path = "/dev/hidraw8";
     HidDeviceInfo forbidden = script->info;
@@ -270,7 +270,7 @@ TEST_F(HidSessionTest, TakesTheNextDeviceWhereTheFirstDoesNotDoWhatItShould) {
     EXPECT_EQ(link.status.latest().message, "");
     EXPECT_EQ(link.status.latest().times_found, 1U);
     EXPECT_EQ(script->open_ports, 1) << "the broken one is closed again";
-    // With nothing that works beside it, what is wrong is said of the broken one, not of the forbidden.
+    // Without a working device, the error of the failing one is reported, not of the forbidden one.
     script->read_fails = true;
     step();
     told->refuses_ = true;
@@ -278,6 +278,49 @@ TEST_F(HidSessionTest, TakesTheNextDeviceWhereTheFirstDoesNotDoWhatItShould) {
     EXPECT_EQ(link.status.latest().state, HidStatus::State::kFailed);
     EXPECT_EQ(link.status.latest().path, broken.path);
     EXPECT_EQ(script->open_ports, 0);
+}
+
+// A receiver for several pucks shows a node for each: the one that a hand moves is wanted.
+TEST(HidSessionOfSeveralNodes, GoesOverToTheFirstThatSaysSomething) {
+    class TwoNodes final : public HidBus {
+      public:
+        explicit TwoNodes(std::vector<std::shared_ptr<ScriptedHid>> nodes) : nodes_(std::move(nodes)) {}
+        Result<std::vector<HidDeviceInfo>> list() override {
+            return std::vector<HidDeviceInfo>{nodes_[0]->info, nodes_[1]->info};
+        }
+        Result<std::unique_ptr<HidPort>> open(const HidDeviceInfo& info) override {
+            const auto& node = info.path == nodes_[0]->info.path ? nodes_[0] : nodes_[1];
+            return std::unique_ptr<HidPort>(std::make_unique<testing::ScriptedPort>(node));
+        }
+
+      private:
+        std::vector<std::shared_ptr<ScriptedHid>> nodes_;
+    };
+    std::vector<std::shared_ptr<ScriptedHid>> nodes{std::make_shared<ScriptedHid>(),
+                                                    std::make_shared<ScriptedHid>()};
+    nodes[0]->info = {.path = "/dev/hidraw1", .may_open = true, .kind = HidKind::kSpaceMouse};
+    nodes[1]->info = {.path = "/dev/hidraw2", .may_open = true, .kind = HidKind::kSpaceMouse};
+    HidLink link;
+    HidSession session(link, std::make_unique<TwoNodes>(nodes), std::make_unique<SpaceMouseDriver>(),
+                       {.kind = HidKind::kSpaceMouse, .force = {}});
+    std::int64_t now_ns = 0;
+    const auto listen = [&] {
+        for (int round = 0; round < 60; ++round, now_ns += 4 * kMs)
+            static_cast<void>(session.round(now_ns));
+    };
+    listen();
+    EXPECT_EQ(link.status.latest().path, "/dev/hidraw1");
+    EXPECT_EQ(nodes[1]->open_ports, 1);
+    nodes[1]->report("01 5e 01 00 00 00 00");
+    listen();
+    EXPECT_EQ(link.status.latest().path, "/dev/hidraw2");
+    EXPECT_EQ(nodes[0]->open_ports, 0);
+    nodes[1]->report("01 5e 01 00 00 00 00");
+    static_cast<void>(session.round(now_ns));
+    EXPECT_GT(link.input.latest().rate_mm_s.x, 0.0);
+    nodes[0]->report("01 5e 01 00 00 00 00");
+    listen();
+    EXPECT_EQ(link.status.latest().path, "/dev/hidraw2") << "who has it keeps it";
 }
 
 TEST_F(HidSessionTest, CountsARoundAsRefreshedOnlyWhenTheDriverSaysSo) {
@@ -316,7 +359,7 @@ TEST(SpaceMouseDriver, ReleasesAStuckAxisAndTheWheelAfterSilence) {
     EXPECT_GT(driver.input(100 * kMs).rate_mm_s.x, 0.0);
     EXPECT_TRUE(driver.input(100 * kMs).wheel_button) << "pressed and let go: it turns";
     EXPECT_FALSE(driver.input(101 * kMs).is_live);
-    // At rest silence is what it does.
+    // At rest it is silent.
     driver.take_report(testing::hex("01 00 00 00 00 00 00"), 200 * kMs);
     EXPECT_TRUE(driver.input(3600'000 * kMs).is_live);
     driver.take_report(testing::hex("03 01 00"), 300 * kMs);

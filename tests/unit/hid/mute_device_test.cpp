@@ -1,4 +1,4 @@
-// A device that falls silent: mute, or held still? Its session, the tool and the safety chain together, on a
+// A device that falls silent, failed or held still: its session, the tool and the safety chain together, on
 // virtual time.
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ class StickInTheClay : public ::testing::Test {
                              .ticks = ++ticks_});
         }
     }
-    // Reports every 4 ms for so long, the stick trembling by so many counts.
+    // Reports every 4 ms for `milliseconds`, with a stick that trembles by `tremble` counts.
     void hold_ms(int milliseconds, int tremble) {
         for (int k = 0; k < milliseconds; k += 4) {
             script->report(stick_at(1000 + tremble * (k / 4 % 2)));
@@ -126,7 +126,7 @@ TEST_F(StickInTheClay, ThatRestsAfterALastWordIsTakenForMuteOnceAndNeverAgain) {
     EXPECT_EQ(force_n.y, 1.0);
 }
 
-TEST(ReportHabit, DoesNotTakeAThreadThatWasKeptWaitingForADeviceThatRests) {
+TEST(ReportHabit, DoesNotMistakeADelayedThreadForASilentDevice) {
     ReportHabit habit;
     const auto report = hex("01 02 03");
     habit.take(report);
@@ -137,7 +137,7 @@ TEST(ReportHabit, DoesNotTakeAThreadThatWasKeptWaitingForADeviceThatRests) {
     habit.take(report);
     habit.take(report);
     EXPECT_TRUE(habit.reports_all_the_time());
-    // Whatever time went by: it was not listened to.
+    // However long it took: the device was not read meanwhile.
     habit.round();
     habit.take(report);
     EXPECT_TRUE(habit.reports_all_the_time());
@@ -148,7 +148,7 @@ TEST(ReportHabit, DoesNotTakeAThreadThatWasKeptWaitingForADeviceThatRests) {
     EXPECT_FALSE(habit.reports_all_the_time()) << "no, it only rested";
 }
 
-TEST(DriversOfDevicesThatOnlySpeak, SayWhichSilenceIsNews) {
+TEST(DriversWithoutForce, KnowWhetherSilenceMeansNoChange) {
     VecPedalDriver pedal;
     EXPECT_TRUE(pedal.input(3600'000 * kMs).is_fresh);
     SpaceMouseDriver mouse;

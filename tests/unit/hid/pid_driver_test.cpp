@@ -239,6 +239,21 @@ TEST_F(PidDriverTest, DoesWithoutTheEffectsForWhichThereIsNoRoom) {
               "force feedback: expected room for an effect, found the device's memory full");
 }
 
+TEST_F(PidDriverTest, DoesWithoutWhatADeviceRefusesUnlessAForceNeedsIt) {
+    for (const char* refused : {"0c 08", "0d"}) {  // reset, gain
+        script->refused = refused;
+        EXPECT_TRUE(driver.start(info, port)) << refused;
+    }
+    script->refused.clear();
+    script->features[0x12] = {hex("12 01 01 00 01"), hex("12 02 01 00 00"), hex("12 00 03 00 00")};
+    EXPECT_TRUE(driver.start(info, port)) << "an error instead of a damper";
+    script->features[0x12] = {hex("12 01 01 00 01"), hex("12 02 01 00 01")};
+    for (const char* refused : {"0c 04", "0c 01", "01", "0a"}) {  // stop all, enable, set effect, start
+        script->refused = refused;
+        EXPECT_FALSE(driver.start(info, port)) << refused;
+    }
+}
+
 TEST_F(PidDriverTest, RejectsAnErrorInsteadOfABlock) {
     script->features[0x12] = {hex("12 00 03 00 00")};
     EXPECT_EQ(driver.start(info, port).error().message,
@@ -272,7 +287,7 @@ TEST_F(PidDriverTest, RejectsADeviceWithoutForces) {
     EXPECT_TRUE(script->take_sent().empty()) << "nothing is said to a device that is not understood";
 }
 
-TEST_F(PidDriverTest, IsToldToLetGoByWhoeverOutlivesItsProgram) {
+TEST_F(PidDriverTest, IsStoppedByLetGoOfAll) {
     info.kind = HidKind::kForceJoystick;
     script->info = info;
     ScriptedBus bus(script);

@@ -191,6 +191,49 @@ TEST(PidLayout, RejectsAJoystickThatTakesNoForces) {
     EXPECT_FALSE(found(hex("05 01 09 30 15 00 26 e8 03 75 10 95 01 81 02")));
 }
 
+// The descriptor with each local usage `id` made one that means nothing (HID 1.11, 6.2.2.2: short items).
+std::vector<std::uint8_t> without(std::vector<std::uint8_t> bytes, std::uint8_t id) {
+    constexpr std::uint8_t kOneByteUsage = 0x09;
+    constexpr std::uint8_t kUnknown = 0xef;
+    for (std::size_t at = 0; at + 1 < bytes.size();) {
+        if (bytes[at] == kOneByteUsage && bytes[at + 1] == id) bytes[at + 1] = kUnknown;
+        const std::size_t size = bytes[at] & 3U;
+        at += 1 + (size == 3 ? 4 : size);
+    }
+    return bytes;
+}
+
+TEST(PidLayout, NeedsWhatAForceNeedsAndNothingElse) {
+    for (const auto& whole :
+         {testing::open_ffboard_descriptor(), testing::rhino_descriptor(), testing::sparse_descriptor()}) {
+        for (const int needed :
+             {0xab, 0x26, 0x89, 0x22, 0x8c, 0x21, 0x50, 0x73, 0x70, 0x77, 0x79, 0x7b, 0x99, 0x30, 0x31})
+            EXPECT_FALSE(found(without(whole, static_cast<std::uint8_t>(needed)))) << std::hex << needed;
+        // Block Free, pool, gain, state; trigger, sample period, start delay, direction enable, direction and
+        // axes; condition and its parts; the other control words; names of the lists.
+        for (const int optional :
+             {0x90, 0x7f, 0x7d, 0x7e, 0x92, 0x53, 0x54, 0x51, 0xa7, 0x56, 0x57, 0x55, 0x58,
+              0x5f, 0x60, 0x61, 0x62, 0x63, 0x64, 0x65, 0x23, 0x97, 0x98, 0x9a, 0x9b, 0x9c,
+              0x7a, 0x7c, 0x52, 0x25, 0x78, 0x8b, 0x8d, 0x8e, 0xac, 0x40, 0x41, 0x43}) {
+            const auto layout = found(without(whole, static_cast<std::uint8_t>(optional)));
+            EXPECT_TRUE(layout) << std::hex << optional << ": " << layout.error().message;
+        }
+    }
+}
+
+// The report may be named by its own usage, by its list's alone (Linux's hid-pidff looks for that one) or by
+// both.
+TEST(PidLayout, FindsDeviceControlByEitherName) {
+    EXPECT_EQ(bytes_of(device_control(kSparse, PidUsage::kStopAll)), "0c 03");
+    const auto whole = testing::open_ffboard_descriptor();
+    for (const auto& bytes : {whole, without(whole, 0x95), without(whole, 0x96)})
+        EXPECT_EQ(bytes_of(device_control(layout_of(bytes), PidUsage::kStopAll)), "0c 04");
+    const auto layout = found(without(without(whole, 0x95), 0x96));
+    ASSERT_FALSE(layout);
+    EXPECT_EQ(layout.error().message,
+              "force feedback (USB PID 1.0): expected the stop-all of Device Control, found none");
+}
+
 TEST(PidLayout, RejectsADescriptorCutAnywhere) {
     const std::vector<std::uint8_t> whole = testing::open_ffboard_descriptor();
     for (std::size_t length = 0; length < whole.size(); ++length)

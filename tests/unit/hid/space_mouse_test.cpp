@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/hex.h"
+#include "tests/support/scripted_hid.h"
 
 namespace onggi::haptics::hid {
 namespace {
@@ -41,7 +42,7 @@ TEST(SpaceMouse, ReadsTheNavigatorsCapturedReports) {
 }
 
 TEST(SpaceMouse, ReadsBothHalvesOfALongReport) {
-    // Synthetic: the wireless model's layout is known from its descriptor, its motion reports from nowhere.
+    // Synthetic: the wireless model's layout is known from its descriptor, but no motion reports are public.
     const SpaceMouseState state = after({"01 12 00 00 00 12 01 20 00 00 00 19 00"});
     EXPECT_EQ(state.translation, (std::array<std::int16_t, 3>{18, 0, 274}));
     EXPECT_EQ(state.rotation, (std::array<std::int16_t, 3>{32, 0, 25}));
@@ -63,6 +64,16 @@ TEST(SpaceMouse, RejectsReportsThatAreCutOrUnknown) {
 TEST(SpaceMouse, TurnsItsLampOnAndOff) {
     EXPECT_EQ(as_hex(space_mouse_lamp(true).view()), "04 01");
     EXPECT_EQ(as_hex(space_mouse_lamp(false).view()), "04 00");
+}
+
+TEST(SpaceMouse, MovesTheToolAlthoughItsLampCannotBeSwitched) {
+    const auto script = std::make_shared<testing::ScriptedHid>();
+    script->write_fails = true;
+    testing::ScriptedPort port(script);
+    SpaceMouseDriver driver;
+    ASSERT_TRUE(driver.start({}, port));
+    driver.take_report(hex("01 5e 01 00 00 00 00"), 0);
+    EXPECT_GT(driver.input(0).rate_mm_s.x, 0.0);
 }
 
 TEST(SpaceMouse, MovesNothingInsideItsDeadBandAndNeverFasterThanItsBest) {

@@ -1,4 +1,4 @@
-// From the hand's input to the tool, as the haptic thread sees it: no clock, only the ticks' steps.
+// From the hand's input to the tool, in the haptic thread: no clock, only the ticks' steps.
 #include "engine/haptics/hid/tool_tracker.h"
 
 #include <gtest/gtest.h>

@@ -44,7 +44,7 @@ TEST(FixedRateLoop, RunsTheWorkOnceAPeriodUntilTheWorkIsDone) {
     EXPECT_EQ(pacer.stats().missed_deadlines(), 3U);
 }
 
-// Needs to be on time until so many ticks have run.
+// Needs punctuality until a number of ticks have run.
 class CalmingWork final : public PeriodicWork {
   public:
     CalmingWork(VirtualClock& clock, int punctual_ticks, int all_ticks)
@@ -104,7 +104,7 @@ class CountingWork final : public PeriodicWork {
     int end_;
 };
 
-// Without asking for anything a test machine may refuse.
+// Requests nothing that a test machine may refuse.
 FixedRateJobOptions modest_options() {
     FixedRateJobOptions options;
     options.pacing = {.rate_hz = 1000.0, .wait = WaitMode::kSleep};
@@ -133,7 +133,7 @@ TEST(FixedRateJob, EndsWhenStoppedAndCanBeStartedAgain) {
         EXPECT_FALSE(job.finished());
         job.stop();
         EXPECT_TRUE(job.finished());
-        job.stop();  // harmless
+        job.stop();  // does nothing
     }
 }
 

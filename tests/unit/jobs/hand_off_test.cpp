@@ -1,4 +1,4 @@
-// One thread only: what the hand-offs promise. tests/stress has the threads.
+// The guarantees of the buffers between threads, in one thread; tests/stress has threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 namespace onggi::jobs {
 namespace {
 
-// Whether a shell's script succeeds, told a line or nothing.
+// Whether a shell script succeeds, with or without an input line.
 bool succeeds(const std::string& script, std::optional<std::string_view> line = std::nullopt) {
     auto process = IdleProcess::start({"/bin/sh", "-c", script});
     if (!process) return false;
@@ -30,8 +30,8 @@ TEST(IdleProcess, HearsOneLineAndThenTheEnd) {
     EXPECT_FALSE(succeeds("read line && [ \"$line\" = celadon ]", "iron"));
 }
 
-TEST(IdleProcess, GetsWhatNobodyElseWantsOfTheProcessorAndNoDescriptor) {
-    // Told when it is to look, so that it does not before it is put there.
+TEST(IdleProcess, HasIdlePriorityAndNoDescriptors) {
+    // It waits for a line, so that it does not check before the policy is set.
     constexpr const char* kPolicy =
         "read line; [ \"$(cut -d' ' -f41 /proc/self/stat)\" = 5 ]";  // SCHED_IDLE, proc(5)
     EXPECT_TRUE(succeeds(kPolicy, "now"));
@@ -41,7 +41,7 @@ TEST(IdleProcess, GetsWhatNobodyElseWantsOfTheProcessorAndNoDescriptor) {
     EXPECT_TRUE(succeeds("! [ -e /proc/$$/fd/3 ] && ! [ -e /proc/$$/fd/4 ] && ! [ -e /proc/$$/fd/5 ]"));
 }
 
-TEST(IdleProcess, BearsWhoNeverListens) {
+TEST(IdleProcess, ToleratesAProcessThatNeverReads) {
     auto process = IdleProcess::start({"/bin/true"});
     ASSERT_TRUE(process);
     ASSERT_TRUE(test::comes_true([&] { return !process->is_at_work(); }));

@@ -1,4 +1,4 @@
-// The thread that waits for slow things.
+// The thread for blocking work.
 #include "engine/jobs/io_thread.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@ using test::VirtualClock;
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kUs = 1'000;
 
-// One period whose work takes so long.
+// Runs one period with work of that duration.
 Period do_one(Pacer<VirtualClock>& pacer, VirtualClock& clock, std::int64_t work_ns) {
     const Period period = pacer.wait_for_next();
     clock.pass(work_ns);
@@ -93,7 +93,7 @@ TEST_F(APacer, RunsALateTickAtOnceAndCountsItAsNotMissedWhenItStillEndsInTime) {
     EXPECT_EQ(late.start_ns, late.deadline_ns + 700 * kUs);
     EXPECT_EQ(pacer.stats().missed_deadlines(), 0U);
     EXPECT_EQ(pacer.stats().wake_latency_ns.max(), static_cast<std::uint64_t>(700 * kUs));
-    // The next one is on time again: lateness is not carried on.
+    // The next one is on time again: lateness does not accumulate.
     EXPECT_EQ(do_one(pacer, clock, 10 * kUs).start_ns, late.deadline_ns + kMs);
 }
 
@@ -101,13 +101,13 @@ TEST_F(APacer, SkipsAndCountsThePeriodsThatWentByAndNeverReplaysThem) {
     do_one(pacer, clock, 10 * kUs);
     clock.oversleep_once(5 * kMs + 300 * kUs);
     const Period after = do_one(pacer, clock, 10 * kUs);
-    EXPECT_EQ(after.index, 6U);  // deadlines 1 to 5 went by while it slept
+    EXPECT_EQ(after.index, 6U);  // deadlines 1 to 5 passed while it slept
     EXPECT_EQ(after.tick, 1U);   // the work ran once for all of them
     EXPECT_EQ(after.skipped, 5U);
     EXPECT_EQ(after.start_ns - after.deadline_ns, 300 * kUs);
     EXPECT_EQ(pacer.stats().skipped_periods, 5U);
     EXPECT_EQ(pacer.stats().missed_deadlines(), 5U);
-    // The lateness is told against the deadline that was slept for, not against the nearest.
+    // The latency is relative to the awaited deadline, not to the nearest.
     EXPECT_EQ(pacer.stats().wake_latency_ns.max(), static_cast<std::uint64_t>(5 * kMs + 300 * kUs));
     const Period next = do_one(pacer, clock, 10 * kUs);
     EXPECT_EQ(next.index, 7U);
@@ -129,14 +129,14 @@ TEST_F(ARestlessPacer, CountsATickThatEndsAfterTheNextDeadlineAsMissed) {
     do_one(pacer, clock, kMs + 1);
     EXPECT_EQ(pacer.stats().overrun_periods, 1U);
     EXPECT_EQ(pacer.stats().missed_deadlines(), 1U);
-    // Starts late for that, in its own period, and ends in it.
+    // Starts late, but within its own period, and ends in it.
     const Period next = do_one(pacer, clock, 10 * kUs);
     EXPECT_EQ(next.start_ns, next.deadline_ns + 1);
     EXPECT_EQ(pacer.stats().missed_deadlines(), 1U);
 }
 
 TEST_F(ARestlessPacer, CountsEveryPeriodOfAStallOnceWhereverItFalls) {
-    // Work that takes 2.5 periods: its own period overruns, the next goes by.
+    // Work of 2.5 periods: its own period overruns, the next is skipped.
     do_one(pacer, clock, 2 * kMs + 500 * kUs);
     const Period next = do_one(pacer, clock, 10 * kUs);
     EXPECT_EQ(next.index, 2U);
@@ -203,7 +203,7 @@ TEST(FramePacer, GoesByTheBeatOfADisplayThatIsSlowerOrFaster) {
             clock.pass(5 * kMs);
             pacer.finish();
         }
-        // On by itself from the last beat, when the display says no more.
+        // Without further refreshes it continues from the last one.
         pacer.wait();
         EXPECT_NEAR(static_cast<double>(clock.now_ns() - start_ns),
                     static_cast<double>(100 * beat_ns) + 1e9 / 60.0, 10.0);
@@ -219,7 +219,7 @@ TEST_F(AFramePacer, DoesNotBelieveADriverThatHasShownEverythingAtOnce) {
     EXPECT_NEAR(static_cast<double>(pacer.interval_ns().max()), 0.75e9 / 60.0, 10.0);
 }
 
-TEST(DisplayBeat, AsksAfterLongerAndLongerPausesWhomNothingWasHeardOf) {
+TEST(DisplayBeat, RetriesAfterLongerAndLongerPauses) {
     DisplayBeat beat;
     std::int64_t now_ns = 0;
     ASSERT_TRUE(beat.is_asked(now_ns));

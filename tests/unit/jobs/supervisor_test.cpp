@@ -1,5 +1,5 @@
-// The child of supervise() must not run on into the other tests: each ends it with _exit. A pipe tells the
-// test what became of it.
+// The child of supervise() must not continue into the other tests: each ends it with _exit. A pipe reports
+// its end to the test.
 #include "engine/jobs/supervisor.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Supervisor, EndsWithItsChildsOwnCode) {
     }
 }
 
-TEST(Supervisor, KnowsHowItsChildEndedWhereTheProgramWasStartedDeafToThat) {
+TEST(Supervisor, KnowsItsChildsStatusEvenIfSigchldWasIgnored) {
     ::signal(SIGCHLD, SIG_IGN);
     const Watched asked = watch([] { ::_exit(75); });
     ::signal(SIGCHLD, SIG_IGN);
@@ -107,7 +107,7 @@ TEST(Supervisor, OutlivesTheWatchdogThatKillsItsChild) {
         ::close(end);
 }
 
-// A child says by a byte that it hears SIGTERM, and ends with 7 when it comes.
+// A child writes a byte when it handles SIGTERM, and exits with 7 when it comes.
 void hear_sigterm(int say) {
     sigset_t set;
     sigemptyset(&set);
@@ -125,7 +125,7 @@ TEST(Supervisor, HandsAnEndOnToItsChild) {
     const pid_t helper = ::fork();
     ASSERT_GE(helper, 0);
     if (helper == 0) {
-        // A supervisor of its own, so that the test can be the one that ends it.
+        // A separate supervisor, which the test can kill.
         const auto code = supervise([](int) {});
         if (!code) hear_sigterm(ready[1]);
         ::_exit(*code);
@@ -141,7 +141,7 @@ TEST(Supervisor, HandsAnEndOnToItsChild) {
     ::close(ready[1]);
 }
 
-TEST(Supervisor, IsMissedByItsChild) {
+TEST(Supervisor, EndsItsChildByItsOwnDeath) {
     std::array<int, 2> ready{};
     std::array<int, 2> done{};
     ASSERT_EQ(::pipe(ready.data()), 0);
@@ -160,7 +160,7 @@ TEST(Supervisor, IsMissedByItsChild) {
     ::kill(helper, SIGKILL);
     int status = 0;
     ASSERT_EQ(::waitpid(helper, &status, 0), helper);
-    // The pipe closes when the orphan has ended; the suite's time limit stands for it that does not.
+    // The pipe closes when the orphan has ended; otherwise the test's time limit fails it.
     EXPECT_EQ(::read(done[0], &byte, 1), 0);
     ::close(ready[0]);
     ::close(ready[1]);

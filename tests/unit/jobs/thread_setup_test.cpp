@@ -60,7 +60,7 @@ TEST(ThreadSetup, PinsTheThreadToTheHapticCoreAndKeepsAnotherOffIt) {
         } else {
             EXPECT_EQ(kept_off.grant, Grant::kGranted);
             EXPECT_EQ(cores_of_this_thread(), choice.others);
-            // What it starts inherits the mask: that is the point of doing it first.
+            // Threads started later inherit the mask, so this must come first.
             std::thread([&] { EXPECT_EQ(cores_of_this_thread(), choice.others); }).join();
         }
     }).join();
@@ -96,7 +96,7 @@ TEST(ThreadSetup, KeepsAThreadOffTheCoreThatHasTakenAllCoresForItself) {
     is_kept_off = true;
     other.join();
     EXPECT_EQ(found, choice.others);
-    // As it was, for the tests behind this one.
+    // Restored for later tests.
     EXPECT_EQ(keep_all_threads_off_haptic_core({.core = all.back() + 1, .others = all}).grant,
               Grant::kGranted);
 }

@@ -1,11 +1,13 @@
 #include "game/kiosk/config.h"
 #include "tests/support/places.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace onggi::kiosk {
 namespace {
@@ -51,6 +53,34 @@ TEST(Config, SharesOverAnAddressOfItsOwnOrOverTheHousesServer) {
     EXPECT_TRUE(shares(*house));
     EXPECT_TRUE(
         read_config("[sharing]\nlisten = \"::\"\npublic_url = \"http://pots.local\"\n", "kiosk.toml"));
+}
+
+TEST(Config, TakesAPublicAddressAsPeopleWriteIt) {
+    const std::pair<const char*, const char*> kCases[] = {
+        {"HTTPS://museum.org/pots", "https://museum.org/pots"},
+        {"Http://Museum.org", "http://Museum.org"},
+        {"https://m\u00fcseum.example/pots", "https://xn--mseum-kva.example/pots"},
+        {"https://\ub3c4\uc790\uae30.example:8443/", "https://xn--ok0bu9hoqt.example:8443/"},
+        {"http://[fd00::5]:8080/pots", "http://[fd00::5]:8080/pots"},
+        {"", ""}};
+    for (const auto& [written, meant] : kCases) {
+        const auto config =
+            read_config(fmt::format("[sharing]\npublic_url = \"{}\"\n", written), "kiosk.toml");
+        ASSERT_TRUE(config) << config.error().message;
+        EXPECT_EQ(config->sharing.public_url, meant);
+    }
+    for (const char* bad : {"ftp://museum.org", "https://", "https://:80/", "https://museum.org/t\u00f6pfe",
+                            "https://a b.org", "https://xn--\u00fc.org"})
+        EXPECT_FALSE(read_config(fmt::format("[sharing]\npublic_url = \"{}\"\n", bad), "kiosk.toml")) << bad;
+}
+
+TEST(Config, WantsThePortApartFromThePlaceToListenAt) {
+    for (const char* good : {"10.0.0.5", "fd00::5", "::", "wlan0", "eth0:1", "br-lan.10"})
+        EXPECT_TRUE(
+            read_config(fmt::format("[sharing]\nlisten = \"{}\"\npublic_url = \"http://a\"\n", good), ""))
+            << good;
+    for (const char* bad : {"10.0.0.5:8080", "wlan0:8080", "museum.local:80", "[fd00::5]:8080", "eth0.10:80"})
+        EXPECT_FALSE(read_config(fmt::format("[sharing]\nlisten = \"{}\"\n", bad), "")) << bad;
 }
 
 TEST(Config, ShipsAnExampleThatSaysTheDefaults) {
@@ -141,8 +171,9 @@ const struct {
      "kiosk.toml, line 2: expected a whole number, 1 to 100000 for most_pots, found 0"},
     {"[gallery]\nfolder = [\"out\"]\n", "kiosk.toml, line 2: expected a folder for folder, found a list"},
     {"[sharing]\nlisten = \"10.0.0.5 or so\"\n",
-     "kiosk.toml, line 2: expected an address such as \"10.0.0.5\" or an interface such as \"wlan0\" for "
-     "listen, found '10.0.0.5 or so'"},
+     "kiosk.toml, line 2: expected an address such as \"10.0.0.5\" or an interface such as \"wlan0\", "
+     "without a "
+     "port for listen, found '10.0.0.5 or so'"},
     {"[sharing]\nport = 0\n", "kiosk.toml, line 2: expected a whole number, 1 to 65535 for port, found 0"},
     {"[sharing]\npublic_url = \"museum.org/pots\"\n",
      "kiosk.toml, line 2: expected an address such as \"https://museum.org/pots\" for public_url, found "
@@ -190,8 +221,7 @@ TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
     for (const auto& one : kMistakes) {
         const auto refused = read_config(one.toml, "kiosk.toml");
         ASSERT_FALSE(refused) << one.toml;
-        // What the library says of a text that is no TOML is its own affair, but not where, nor in how many
-        // lines.
+        // The library chooses the message for invalid TOML, but it must have the location and be one line.
         const std::string_view message = refused.error().message;
         if (std::string_view(one.message).ends_with("found ")) {
             EXPECT_TRUE(message.starts_with(one.message)) << message;

@@ -1,4 +1,4 @@
-// Every event, in every state there is a way to: what must hold after any of them.
+// Invariants after every event in every reachable state.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,9 +15,9 @@
 namespace onggi::kiosk {
 namespace {
 
-constexpr std::array kValues{-1, 0, 1, 3, 8};  // none, good ones, too large for each list
+constexpr std::array kValues{-1, 0, 1, 3, 8};  // invalid, valid, and beyond the end of each list
 
-// Of a state, what decides how it goes on; bytes, because half a million of them are compared.
+// The fields of a state that determine its behaviour, as bytes, because half a million are compared.
 using Key = std::array<std::uint8_t, 12>;
 
 Key key_of(const State& state) {
@@ -39,7 +39,7 @@ Rules staffed() {
     return {.jars = {2}, .locked = true, .pin = 1234, .pin_digits = 4};
 }
 
-// All visitors that a walk over every event from attract finds, one a key.
+// All states reachable from attract, one visitor per key.
 std::map<Key, Visitor> everywhere() {
     std::map<Key, Visitor> found;
     std::vector<Visitor> open{Visitor(staffed())};
@@ -76,7 +76,7 @@ std::map<Key, Visitor> everywhere() {
     return found;
 }
 
-// What happened, and where; put into words only where a test has failed.
+// The event and its state, formatted only if a test fails.
 struct After {
     const Key& where;
     const Event& event;
@@ -157,7 +157,7 @@ TEST_F(EveryEvent, LeavesAStateThatIsWhole) {
 }
 
 TEST_F(EveryEvent, EndsInAttractWhenTheVisitorWalksAway) {
-    // From a place that was left alone once it goes on as it went then.
+    // A state that was left alone once behaves the same again.
     std::set<std::pair<Key, bool>> walked_away;
     for_each_event([&](Visitor visitor, const Event& event, const After& after) {
         visitor.does(event);

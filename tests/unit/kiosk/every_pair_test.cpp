@@ -1,6 +1,5 @@
-// Every place of a visit times everything that can happen there: where it leads. A place is a screen with
-// what lies over it. What a line below does not name stays where it is; what no line names at all - a new
-// screen, event or button - fails.
+// The transition for every pair of place and event. A place is a screen with its panel. A pair that no line
+// below names must not change the place; a screen, event or button that no line names at all fails.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +26,7 @@ const std::map<std::string, std::string> kSets{
      "attract attract-left choose jar-start throw join failure firing trim decorate glaze your-pot saving "
      "keep "
      "resume fault"}};
-// Over which of them each panel may lie.
+// The screens over which each panel may lie.
 const std::map<std::string, std::string> kPanels{{"", "any"},
                                                  {"+language", "attract attract-left visit"},
                                                  {"+idle", "left-alone join"},
@@ -39,7 +38,7 @@ struct Happening {
     std::string name;
     Event event;
     double after_s;
-    // FROM -> TO, parted by commas; `same` is the screen of FROM; no panel: none lies over it.
+    // FROM -> TO, separated by commas; `same` is the screen of FROM; without a panel: no panel is open.
     std::string rules;
 };
 
@@ -253,7 +252,7 @@ std::vector<std::string> all_places() {
     return places;
 }
 
-// Where each place leads that the rules name.
+// The target of each place named in the rules.
 std::map<std::string, std::string> leads(const Happening& happening) {
     std::map<std::string, std::string> next;
     std::istringstream rules(happening.rules);

@@ -73,7 +73,7 @@ TEST(TakingHome, SharesNothingThatCouldNotBeKept) {
     EXPECT_FALSE(visitor.caused(Effect::Kind::kShare));
 }
 
-TEST(WallOfTheDay, IsForWhoWantsItAndForNobodyElse) {
+TEST(WallOfTheDay, IsForVisitorsWhoChooseIt) {
     Visitor visitor(Rules{.has_wall = true});
     visitor.keeps().presses(Button::kOnWall);
     EXPECT_FALSE(visitor.caused(Effect::Kind::kWall)) << "not before it is kept";

@@ -1,4 +1,4 @@
-// A jar of two bowls: how its steps follow each other, and how they are taken back.
+// A jar of two bowls: the order of its steps, and their undo.
 #include <gtest/gtest.h>
 
 #include "game/kiosk/spoken.h"
@@ -70,7 +70,7 @@ TEST_F(Jar, GoesThroughItsFiveSteps) {
     EXPECT_EQ(spoken_key(visitor.state), "moon.s5");
     visitor.presses(Button::kDone);
     EXPECT_EQ(visitor.state.screen, Screen::kFiring);
-    EXPECT_EQ(step_of(visitor), JarStep::kSeam) << "what is fired is a jar of two bowls";
+    EXPECT_EQ(step_of(visitor), JarStep::kSeam) << "the fired pot is a jar of two bowls";
 }
 
 TEST_F(Jar, SetsNoClayAsideThatIsNoBowl) {

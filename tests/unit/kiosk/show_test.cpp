@@ -1,4 +1,4 @@
-// The wheel's own hands on the visitor's clay: asked for, or when nothing comes of what the visitor does.
+// Demonstrating hands on the visitor's clay: on request, or when the visitor makes no progress.
 #include <gtest/gtest.h>
 
 #include "game/kiosk/spoken.h"
@@ -68,7 +68,8 @@ TEST(Show, ComesByItselfAfterEightSecondsWithoutProgressOnceAStep) {
     visitor.waits(0.3);
     EXPECT_EQ(visitor.state.throwing.shown, 0);
     visitor.does(Kind::kShowOver).waits(20.0);
-    EXPECT_EQ(visitor.count(Effect::Kind::kShowStep), 1) << "whoever has seen it is left alone with it";
+    EXPECT_EQ(visitor.count(Effect::Kind::kShowStep), 1)
+        << "after the demonstration the visitor is left alone";
     visitor.does(Kind::kClayTouched).waits(2.8);
     EXPECT_EQ(visitor.count(Effect::Kind::kShowStep), 1) << "not the moment the visitor lets go";
     visitor.waits(0.4);

@@ -1,4 +1,4 @@
-// What is spoken where: always something the tables have, and never the wrong screen's.
+// The spoken line of each screen exists in the tables and belongs to that screen.
 #include "game/kiosk/spoken.h"
 
 #include <gtest/gtest.h>

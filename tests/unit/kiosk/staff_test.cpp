@@ -1,4 +1,4 @@
-// The staff at the state machine: the keypad's patience, and what the panel's keys do.
+// The staff's states: the keypad's timeouts, and the panel's keys.
 #include <gtest/gtest.h>
 
 #include "tests/unit/kiosk/visitor.h"
@@ -25,7 +25,7 @@ Visitor at_the_panel() {
     return staff;
 }
 
-TEST(StaffPin, MakesWhoGuessesWaitLongerEachTime) {
+TEST(StaffPin, MakesEachWrongGuessWaitLonger) {
     Visitor thief = at_the_keypad();
     types(thief, 9);
     types(thief, 9);
@@ -90,7 +90,7 @@ TEST(StaffPanel, AsksBeforeItDestroysAnything) {
         EXPECT_TRUE(staff.all.empty()) << "nothing else until it is answered";
         EXPECT_EQ(staff.state.staff.page, StaffPage::kHealth);
         staff.presses(Button::kStaffNo).presses(Button::kStaffYes);
-        EXPECT_TRUE(staff.all.empty()) << "a yes that nobody asked for";
+        EXPECT_TRUE(staff.all.empty()) << "a confirmation without a question";
         staff.presses(one.button, 7).presses(Button::kStaffYes);
         ASSERT_EQ(staff.all.size(), 1U);
         EXPECT_EQ(staff.all.front(), one.effect);

@@ -1,4 +1,4 @@
-// The flow of a visit, told as a visitor would.
+// The flow of a visit, from the visitor's view.
 #include <gtest/gtest.h>
 
 #include "tests/unit/kiosk/visitor.h"
@@ -10,7 +10,7 @@ struct Kiosk : testing::Test {
     Visitor visitor;
 };
 
-TEST_F(Kiosk, AttractsForEverWhileNobodyIsThere) {
+TEST_F(Kiosk, AttractsForEverWithoutAVisitor) {
     visitor.waits(3600.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
     EXPECT_TRUE(visitor.all.empty());
@@ -33,7 +33,7 @@ TEST_F(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
     EXPECT_EQ(visitor.state.screen, Screen::kDecorate);
     EXPECT_TRUE(visitor.caused(Effect::Kind::kBeginDrawing));
     visitor.waits(20.0);
-    EXPECT_EQ(visitor.state.screen, Screen::kDecorate) << "nobody is hurried";
+    EXPECT_EQ(visitor.state.screen, Screen::kDecorate) << "no hurry";
     visitor.presses(Button::kDone);
     EXPECT_EQ(visitor.state.firing, FiringStage::kFire);
     EXPECT_TRUE(visitor.caused(Effect::Kind::kEndDrawing));
@@ -105,7 +105,7 @@ TEST_F(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
     EXPECT_FALSE(visitor.state.decorating.turns);
 }
 
-TEST_F(Kiosk, StartsFreeThrowingForWhoeverSimplyTouchesTheClay) {
+TEST_F(Kiosk, StartsFreeThrowingOnATouchOfTheClay) {
     visitor.does(Event::Kind::kClayTouched);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_FALSE(visitor.state.throwing.target.has_value());
@@ -149,7 +149,8 @@ TEST_F(Kiosk, ForgetsEveryRequestOfTheVisitorBefore) {
     const Comfort requests{
         .language = 2, .text_size = 2, .volume = 4, .reach = true, .left_hand = true, .still = true};
     EXPECT_EQ(visitor.state.comfort, requests);
-    visitor.does(Event::Kind::kProgress, kTeachingSteps);  // who has learnt it all is shown no more
+    visitor.does(Event::Kind::kProgress,
+                 kTeachingSteps);  // after all steps are learnt there are no more demonstrations
     visitor.all.clear();
     visitor.waits(70.0);
     EXPECT_EQ(visitor.state.screen, Screen::kAttract);
@@ -224,7 +225,7 @@ TEST_F(Kiosk, TellsOfAPotAndThrowsItOrGoesBack) {
     EXPECT_EQ(visitor.state.throwing.target, 2);
     Visitor reader;
     reader.does(Event::Kind::kInput).presses(Button::kCard, 2).waits(300.0);
-    EXPECT_EQ(reader.state.screen, Screen::kAttract) << "nobody reads any more";
+    EXPECT_EQ(reader.state.screen, Screen::kAttract) << "no longer read";
 }
 
 TEST_F(Kiosk, NeverTeachesBackwards) {

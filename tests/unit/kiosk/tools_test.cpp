@@ -1,4 +1,4 @@
-// What the hand may hold while it throws.
+// The tools of the throwing hand.
 #include <gtest/gtest.h>
 
 #include "game/kiosk/spoken.h"
@@ -59,7 +59,7 @@ TEST(Tools, TheTrayStaysOpenUnderATouchThatHadBegunBefore) {
 TEST(Tools, TheWireCutsOnceAndIsLaidBack) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kCut);
-    EXPECT_FALSE(visitor.caused(Effect::Kind::kCutRim)) << "nobody holds it";
+    EXPECT_FALSE(visitor.caused(Effect::Kind::kCutRim)) << "it is not held";
     visitor.presses(Button::kTakeTool, number(Held::kWire));
     EXPECT_EQ(spoken_key(visitor.state), "wire.how");
     visitor.presses(Button::kCut);
@@ -104,7 +104,7 @@ TEST(Tools, TheWheelShowsWhatIsHeldOrWithTheWireTheLesson) {
     EXPECT_EQ(visitor.state.throwing.held, Held::kHand);
 }
 
-TEST(Tools, NobodyIsShownTheLessonWithAToolInTheHandOrTheTrayBefore) {
+TEST(Tools, TheLessonIsHiddenWithAToolInTheHandOrAnOpenTray) {
     for (const Event& event : {Event::pressed(Button::kTakeTool, 1), Event::pressed(Button::kTools)}) {
         Visitor visitor;
         visitor.starts_to_throw().does(event).waits(30.0);

@@ -1,4 +1,4 @@
-// A visitor on a virtual clock: does things to the state machine and keeps what came of them.
+// A visitor on a virtual clock: sends events to the state machine and stores its effects.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class Visitor {
     Visitor& starts_to_throw() { return does(Event::Kind::kInput).presses(Button::kFree); }
     Visitor& chooses_a_jar(int target) { return does(Event::Kind::kInput).presses(Button::kTarget, target); }
     Visitor& ends_a_bowl() { return does(Event::Kind::kBowl, 1).presses(Button::kDone); }
-    // From what is told of a jar on.
+    // Starting from the jar's explanation.
     Visitor& sets_a_bowl_aside() {
         return presses(Button::kBegin).ends_a_bowl().does(Event::Kind::kSetAside).presses(Button::kDone);
     }

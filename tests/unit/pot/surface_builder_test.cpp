@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kCorners = 48;
 
-TEST(UnitCircle, IsTheCircleThatLibmKnows) {
+TEST(UnitCircle, AgreesWithLibm) {
     for (const int n : {4, 12, 48, 64, 96, 128}) {
         const std::vector<dvec2> circle = unit_circle(n);
         ASSERT_EQ(circle.size(), static_cast<std::size_t>(n));
@@ -59,7 +59,7 @@ TEST(SurfaceBuilder, ClosesTheSurfaceByPosition) {
 }
 
 TEST(SurfaceBuilder, EnclosesTheFrustumsOfItsRows) {
-    // Of a regular polygon of n corners on a circle, as a fraction of the circle's area over pi.
+    // The area of a regular polygon of kCorners corners on the unit circle.
     const double area = 0.5 * kCorners * std::sin(2.0 * std::numbers::pi / kCorners);
     const auto frustum = [&](double low, double high, double height) {
         return area * height / 3.0 * (low * low + low * high + high * high);

@@ -1,4 +1,4 @@
-// What is kept in memory in little room comes back to the bit.
+// Compressed bytes are restored to the bit.
 #include "engine/record/packed_bytes.h"
 
 #include <gtest/gtest.h>
@@ -42,8 +42,8 @@ TEST(PackedBytes, TakeTheRoomOfWhatDiffers) {
     EXPECT_EQ(unpack(packed, like), bytes);
 }
 
-// A dent's row is moved as a whole when its mean goes into the radii. What stands before the numbers is no
-// whole number of words.
+// A dent's row is moved as a whole when its mean goes into the radii. The bytes before the numbers are not a
+// multiple of a word.
 TEST(PackedBytes, TakeLittleRoomWhereAllNumbersMoved) {
     constexpr std::size_t kHead = 3;
     constexpr std::size_t kNumbers = 100'000;

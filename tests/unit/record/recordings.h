@@ -33,7 +33,7 @@ inline haptics::ToolState tool_at(std::uint64_t tick) {
     return tool;
 }
 
-// A pair of hands: rests, moves one hand, moves both, changes what is in them, lets go and presses again.
+// A pair of hands: rests, moves one hand, moves both, changes the tools, releases and presses again.
 inline haptics::ToolState both_hands_at(std::uint64_t tick) {
     haptics::ToolState tool = tool_at(tick);
     const std::uint64_t part = tick / 300;
@@ -106,7 +106,7 @@ inline std::string studio_session_bytes(std::uint64_t ticks) {
 
 constexpr const char* kSupplement = "what was done to it later";
 
-// The bytes of a session of so many ticks.
+// The bytes of a session of `ticks` ticks.
 inline std::string session_bytes(std::uint64_t ticks, std::string_view supplement = {}) {
     const test::TemporaryFolder folder;
     auto writer = SessionWriter::create(folder / "s.onggi", test_header(), bytes_of(kStartState),

@@ -8,12 +8,12 @@
 namespace onggi::record {
 namespace {
 
-// The one line with which these bytes are refused.
+// The error message for these bytes.
 std::string refusal(const std::string& bytes) {
     return test::refusal(parse_session(bytes, "s.onggi"));
 }
 
-// A session with a number changed, and checksums that do not give it away.
+// A session with a changed number and corrected checksums.
 template <typename T>
 std::string with_header_field(std::size_t offset, T number) {
     std::string bytes = session_bytes(1500);
@@ -34,7 +34,7 @@ TEST(RejectsSession, OfAnotherKind) {
     EXPECT_EQ(refusal(""), "s.onggi: byte 0: expected the first bytes of a session, found ''");
     EXPECT_EQ(refusal("t_s,x_mm"),
               "s.onggi: byte 0: expected the first bytes of a session, found 't_s,x_mm'");
-    // What a text-mode copy makes of it.
+    // The effect of a text-mode copy.
     std::string bytes = session_bytes(10);
     bytes.erase(6, 1);
     EXPECT_NE(refusal(bytes).find("byte 0: expected the first bytes"), std::string::npos);
@@ -47,7 +47,7 @@ TEST(RejectsSession, OfTheVersionsInWhichNoHandCouldLetGo) {
     EXPECT_EQ(refusal(bytes), expected + "0" + reason);
     test::put_at<std::uint16_t>(bytes, 10, 1);
     EXPECT_EQ(refusal(bytes), expected + "1" + reason) << "whatever its checksum says";
-    EXPECT_FALSE(parse_session(bytes, "s.onggi", Damage::kCutThere)) << "nor is there anything to save of it";
+    EXPECT_FALSE(parse_session(bytes, "s.onggi", Damage::kCutThere)) << "and nothing of it can be recovered";
 }
 
 TEST(RejectsSession, OfANewerOrUnknownVersion) {
@@ -57,7 +57,7 @@ TEST(RejectsSession, OfANewerOrUnknownVersion) {
               std::string::npos);
     EXPECT_NE(refusal(with_header_field<std::uint16_t>(8, 0)).find("byte 8: expected a session of version"),
               std::string::npos);
-    // Even when a newer header's checksum is elsewhere.
+    // Even if a newer header has its checksum elsewhere.
     std::string bytes = session_bytes(10);
     test::put_at<std::uint16_t>(bytes, 8, 7);
     EXPECT_NE(refusal(bytes).find("newer program"), std::string::npos);
@@ -238,7 +238,7 @@ TEST(RejectsSession, WithABlockAfterOneThatIsNotFull) {
         << refusal(bytes);
 }
 
-// After a power cut there is none to ask for a better copy.
+// After a power cut there is no better copy.
 TEST(CutsASession, WhereItIsDamagedIfThatIsAskedFor) {
     const std::string whole = session_bytes(3300);
     const auto read = parse_session(whole, "s.onggi");

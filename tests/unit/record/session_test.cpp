@@ -144,7 +144,7 @@ TEST(Session, HasTheBytesItsDocumentSays) {
     EXPECT_EQ(hex(98, 12),
               "7700000000000000"
               "00000000");
-    // A tool, then one repeat of it.
+    // A tool, then one repetition.
     EXPECT_EQ(hex(114, 37),
               "01"
               "000000000000f03f"

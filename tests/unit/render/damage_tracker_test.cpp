@@ -113,7 +113,7 @@ TEST(HeldTargets, KeepEachTargetApartAndForgetOneThatAnotherHasDrawnInto) {
     EXPECT_TRUE(is_copied(1, 3)) << "another's frame came between";
     EXPECT_FALSE(is_copied(1, 4));
     EXPECT_TRUE(is_copied(1, 0)) << "a new image with the old one's handle";
-    EXPECT_TRUE(is_copied(1, 0)) << "the same frame, made anew";
+    EXPECT_TRUE(is_copied(1, 0)) << "the same frame, built again";
     for (std::uintptr_t other = 10; other < 40; ++other)
         EXPECT_TRUE(is_copied(other, 0));
     EXPECT_TRUE(is_copied(2, 2)) << "too long ago";

@@ -60,7 +60,7 @@ TEST(DetailTexture, KeepsItsMeanAndItsStreaksWithFewerTexels) {
         return static_cast<int>(from[static_cast<std::size_t>((y * across + x) * 4 + channel)]);
     };
     for (int channel = 0; channel < 4; ++channel) {
-        // Of two across and four up.
+        // The sum over a block two across and four up.
         int sum = 0;
         for (int i = 0; i < 8; ++i)
             sum += at(texels, kDetailTexels, 2 * 100 + i % 2, 4 * 70 + i / 2, channel);
@@ -79,7 +79,7 @@ TEST(DetailTexture, HasLevelsThatEachAverageTwiceAsManyAboveOneAnother) {
         return static_cast<int>(
             levels[static_cast<std::size_t>(4 * ((level * kUp + y % kUp) * kAcross + x))]);
     };
-    // What changes from one pixel to the next, where a pixel shows so many texels.
+    // The mean difference between neighbouring pixels of `texels_a_pixel` texels.
     const auto steps = [&](int level, int texels_a_pixel) {
         long sum = 0;
         for (int y = 0; y < kUp; ++y) {

@@ -30,7 +30,7 @@ class SmoothedPixels : public testing::Test {
     std::vector<float> depth_ = std::vector<float>(std::size_t{kWidth} * kHeight, 0.5F);
 };
 
-// E. Persson's rule: what lies beyond the line fills the part of the pixel that is beyond it.
+// E. Persson's rule: the neighbour beyond the line fills the part of the pixel beyond the line.
 TEST_F(SmoothedPixels, GiveTheirNeighbourWhatLiesBeyondALevelLine) {
     const auto before = pixels_;
     smooth(vec4(5.0F, 10.2F, 0.4F, 1.0F), vec4(15.0F, 10.2F, 0.4F, 1.0F));
@@ -48,7 +48,7 @@ TEST_F(SmoothedPixels, GiveTheirNeighbourWhatLiesBeyondALevelLine) {
 
 TEST_F(SmoothedPixels, FollowALineThatIsSteepOrLeans) {
     const auto before = pixels_;
-    // From right to left of the pixels' middles, downwards; the way a piece runs says nothing.
+    // From right to left of the pixels' middles, downwards; the direction of a segment has no effect.
     smooth(vec4(20.75F, 20.0F, 0.4F, 1.0F), vec4(20.0F, 5.0F, 0.4F, 1.0F));
     for (int y = 5; y < 20; ++y) {
         const float line = 20.0F + 0.05F * (static_cast<float>(y) + 0.5F - 5.0F);

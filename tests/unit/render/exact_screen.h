@@ -1,5 +1,5 @@
-// What IEC 61966-2-1 shows of light behind the picture's curve, as it is written, in double: what the
-// shaders' and the processor's quicker text is held to.
+// The exact display value of light after the tone curve, by IEC 61966-2-1, in double: the reference for the
+// faster code of shaders and CPU.
 #pragma once
 
 #include <algorithm>

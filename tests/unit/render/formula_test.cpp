@@ -1,4 +1,4 @@
-// A formula of light is one text for a number and for eight of them: both must find the same.
+// The formulas of light compile for one float and for eight: both must give the same results.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,8 @@ namespace {
 
 constexpr Float8 kCosines{-1.0F, -0.4F, -0.05F, 0.0F, 0.2F, 0.5F, 0.9F, 1.0F};
 
-// `of` of eight at once and of each alone; into where it is wanted, since no vector is passed by value.
+// Evaluates `of` for eight values at once and one by one; returns by reference, since vectors are not passed
+// by value.
 template <typename Formula>
 void expect_the_same(const Float8& numbers, Formula of) {
     Float8 wide;

@@ -1,5 +1,4 @@
-// The shader that does the same is drawn beside it by tests/golden/backends_agree_test.cpp; here, light whose
-// answer is known.
+// tests/golden/backends_agree_test.cpp compares with the shader; here, cases of light with known results.
 #include "engine/render/pixels/lathe_corners.h"
 
 #include <gtest/gtest.h>
@@ -112,11 +111,11 @@ TEST_F(LatheCorners, GetTheAlbedosShareOfTheSky) {
     expect_near(three(2, value::kAmbient), vec3(0.40F, 0.24F, 0.12F), 1e-3F);
     rows_[1].water.x = 0.5F;
     expect_near(three(2, value::kAmbient), vec3(0.32F, 0.18F, 0.08F), 1e-3F);
-    // In a hollow half of it, and what the hollow's own colour throws back.
+    // In a hollow half of the light, plus the hollow's own reflection.
     rows_[1].water.x = 0.0F;
     rows_[1].light.z = 0.5F;
     EXPECT_NEAR(three(2, value::kAmbient).x, 0.40F * 0.5F * (1.0F + 0.5F * 0.5F * 1.6F), 1e-3F);
-    // At the foot a wall sees less of it.
+    // At the foot a wall receives less.
     rows_[1] = rows_[0];
     rows_[1].place.y = 0.0F;
     const float open = 0.45F;
@@ -127,7 +126,7 @@ TEST_F(LatheCorners, LoseTheSkyToASphereBeforeThem) {
     frame_.irradiance[0] = vec4(1.0F);
     draw_.dry = vec4(0.5F);
     const float free = three(0, value::kAmbient).x;
-    frame_.spheres[2] = vec4(0.0F, 100.0F, 60.0F, 10.0F);  // a quarter of what the wall sees
+    frame_.spheres[2] = vec4(0.0F, 100.0F, 60.0F, 10.0F);  // covers a quarter of the wall's view
     const float open = 0.75F;
     EXPECT_NEAR(three(0, value::kAmbient).x, free * open * (1.0F + 0.5F * (1.0F - open) * 1.6F), 1e-3F);
     EXPECT_NEAR(three(1, value::kAmbient).x, free, 1e-3F) << "it is behind this one";

@@ -32,7 +32,8 @@ TEST(CoveredByLathe, IsNeverWiderThanThePot) {
         if (lines[y].right <= lines[y].left) continue;
         ++covered;
         for (const float x : {lines[y].left + 1.0F, lines[y].right - 1.0F}) {
-            // The ray through there passes within the cylinder's radius at some height of it.
+            // Whether the ray through that pixel passes within the cylinder's radius at a height of the
+            // cylinder.
             const Ray ray = ray_through(camera, kCoverWidth, kCoverHeight, {x, static_cast<double>(y) + 0.5});
             bool meets = false;
             for (double t = 400.0; t < 1000.0 && !meets; t += 0.5) {

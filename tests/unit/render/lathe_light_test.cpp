@@ -16,7 +16,7 @@ KeyColumns columns(const LatheSamples& samples, LatheFace face, vec2 place, vec2
     return ring;
 }
 
-// Of a wall whose inside lies at 45 mm.
+// The light inside a wall of 45 mm inner radius.
 KeyColumns inside(const LatheSamples& samples, float y_mm) {
     return columns(samples, LatheFace::kInner, {45.0F, y_mm}, {-1.0F, 0.0F});
 }

@@ -1,5 +1,5 @@
-// The shader that draws the same is beside it in tests/golden/backends_agree_test.cpp; here, which pixels
-// are drawn, and light whose answer is known.
+// tests/golden/backends_agree_test.cpp compares with the shader; here, coverage, and cases of light with
+// known results.
 #include "engine/render/pixels/lathe_pixels.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ float shown(float light) {
     return static_cast<float>(255.0 * exact_shown(double{light}));
 }
 
-// A wall that looks at the eye, with the light in front of it.
+// A wall that faces the eye, lit from the front.
 class LathePixels : public TrianglePixels {
   protected:
     LathePixels() {
@@ -139,7 +139,7 @@ TEST_F(LathePixels, ShowWhatIsNearest) {
     of(0.5F, 0.2F);
     EXPECT_NEAR(at(30, 20) & 255U, shown(0.3F), 0.6F);
     EXPECT_EQ(depth_[0], 0.4F);
-    EXPECT_EQ(pixels_[100], kUntouched) << "what is there already is nearer";
+    EXPECT_EQ(pixels_[100], kUntouched) << "the existing pixel is nearer";
     EXPECT_EQ(depth_[100], 0.1F);
     EXPECT_NEAR(pixels_[101] & 255U, shown(0.3F), 0.6F);
     EXPECT_NEAR(pixels_.back() & 255U, shown(0.3F), 0.6F) << "to the last pixel";
@@ -170,7 +170,7 @@ TEST_F(LathePixels, ThrowTheKeyBackAsRoughClayDoes) {
     draw_.dry = vec4(0.3F, 0.3F, 0.3F, 0.0F);
     draw_.wet = vec4(0.1F, 0.1F, 0.1F, draw_.wet.w);
     const auto body = [](float albedo, float roughness) { return albedo / (1.0F + 0.288F * roughness); };
-    // Straight on, a lobe of roughness r gleams by a quarter of what is mirrored over r to the power of four.
+    // At normal incidence a lobe of roughness r reflects a quarter of the mirror reflectance divided by r^4.
     EXPECT_NEAR(red({}), shown(2.0F * (body(0.3F, 0.85F) + 0.04F / 4.0F)), 0.6F);
     EXPECT_NEAR(red({{value::kWater, 1.0F}}), shown(2.0F * (body(0.1F, 0.35F) + 0.04F / 4.0F)), 0.6F);
     EXPECT_NEAR(red({{value::kWater, 0.5F}}), shown(2.0F * (body(0.2F, 0.6F) + 0.04F / 4.0F)), 0.6F);
@@ -189,12 +189,12 @@ TEST_F(LathePixels, GleamWhereAFilmLies) {
     EXPECT_NEAR(red({}), shown(0.01F), 0.6F) << "none";
     draw_.gloss.w = 1.0F;
     EXPECT_NEAR(red({}), shown(of_film), 0.6F) << "a glaze";
-    // The sky in it, and a little of it in the bare body.
+    // The sky's reflection, and a weak one on the bare body.
     frame_.key_radiance = vec4(0.0F);
     EXPECT_NEAR(red({{value::kMirrored, 5.0F}}), shown(5.0F * 0.04F), 0.6F);
     draw_.gloss.w = 0.0F;
     EXPECT_NEAR(red({{value::kMirrored, 5.0F}}), shown(5.0F * 0.04F * 0.12F), 0.6F);
-    // At a grazing angle more of it.
+    // Stronger at a grazing angle.
     const float mirror = 0.04F + 0.96F * 0.7F * std::pow(0.4F, 5.0F);
     EXPECT_NEAR(red({{value::kMirrored, 5.0F}, {value::kToEye, 0.8F}, {value::kToEye + 2, 0.6F}}),
                 shown(5.0F * mirror * 0.12F), 0.6F);
@@ -247,7 +247,7 @@ TEST_F(LathePixels, HaveTheMeanOfTheStreaksWhereSeveralTexelsLieUnderOne) {
 TEST_F(LathePixels, LeanAsOutlineDentsAndStreaksSay) {
     frame_.key_radiance = vec4(1.0F);
     draw_.dry = vec4(0.5F, 0.5F, 0.5F, 0.0F);
-    // From where the wall hardly looks.
+    // From a direction almost along the wall.
     frame_.key_direction = vec4(0.0F, 1.0F, 0.0F, 0.05F);
     const float grazed = red({});
     const float wanted = red({{value::kLean, -1.0F}});
@@ -281,7 +281,7 @@ TEST_F(LathePixels, LoseTheKeyBehindASphereWhereOneMayBe) {
     EXPECT_EQ(red({}, false), free) << "it is known not to be near";
     EXPECT_EQ(red({{value::kPlace, 40.0F}}, true), free) << "beside it";
     EXPECT_EQ(red({{value::kPlace + 2, 200.0F}}, true), free) << "before it";
-    // The light is 0.05 wide to each side: on the sphere's outline half of it is seen.
+    // The light has a half-width of 0.05: at the sphere's silhouette half of it is visible.
     const float half = red({{value::kPlace + 1, 20.0F}}, true);
     EXPECT_NEAR(half, red({{value::kSeen, 0.5F}}), 1.0F);
 }

@@ -51,7 +51,7 @@ TEST(LatheRows, LeaveOutWhatNoCameraBelowTheRimCanSee) {
 
 TEST(LatheRows, ReachAsFarDownInsideAsTheLineOverTheNearRim) {
     const LatheProfile profile = Cylinder().profile();
-    // From 45 degrees the line over the near rim meets the far wall 90 mm across, 90 mm down less the rim.
+    // From 45 degrees the line over the near rim meets the far wall 90 mm across, 90 mm down minus the rim.
     const std::size_t seen = points_seen(profile, {0.0F, 100.0F + 700.0F, 45.0F + 700.0F}, 0.0F);
     EXPECT_GT(seen, profile.inside);
     const float steep = points_seen(profile, {0.0F, 100.0F + 200.0F, 45.0F + 700.0F}, 0.0F) > 0

@@ -1,4 +1,4 @@
-// Pots for the tests of the lathe: plain shapes whose answers are known without the renderer.
+// Pots for the tests of the lathe: plain shapes with known results.
 #pragma once
 
 #include <vector>

@@ -26,7 +26,7 @@ TEST(LatheSectors, GoOnceRoundFromTheEyeAndAreTheSameOnBothSides) {
     for (std::size_t i = 0; i < angles.size(); ++i) {
         EXPECT_NEAR(angles[i] - angles.front(), angles.back() - angles[angles.size() - 1 - i], 1e-5F);
     }
-    // The one across the axis from the first.
+    // The one opposite the first.
     EXPECT_NEAR(angles[(angles.size() - 1) / 2], kVase.azimuth_rad + kPiF, 1e-5F);
 }
 
@@ -36,7 +36,7 @@ TEST(LatheSectors, KeepEveryEdgeThatIsSeenWithinTheErrorOfItsCircle) {
     for (std::size_t i = 1; i < angles.size(); ++i) {
         const float middle = 0.5F * (angles[i] + angles[i - 1]) - kVase.azimuth_rad;
         const float sag = 1.0F - std::cos(0.5F * (angles[i] - angles[i - 1]));
-        // What of the chord's distance from the circle is seen as distance in the picture.
+        // The visible part of the chord's distance from the circle.
         const float seen = std::hypot(std::sin(middle), std::cos(middle) * std::sin(kVase.pitch_rad));
         EXPECT_LE(kVase.rim_px * sag * seen, 1.2F * budget.error_px);
         if (std::abs(std::sin(middle)) > 0.85F) {

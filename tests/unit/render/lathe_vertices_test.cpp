@@ -24,7 +24,7 @@ struct Built {
     [[nodiscard]] const shaders::VertexData& at(std::size_t row, int sector) const {
         return vertices[row * (kSectors + 1) + static_cast<std::size_t>(sector)];
     }
-    // Of all faces, one over six times the sum of their signed boxes; the base closes it.
+    // The volume: one sixth of the sum of the faces' triple products; the base closes the solid.
     [[nodiscard]] double volume_mm3() const {
         double six = 0.0;
         const auto add = [&](const vec4& a, const vec4& b, const vec4& c) {

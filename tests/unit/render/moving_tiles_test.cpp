@@ -13,7 +13,7 @@ namespace {
 constexpr int kMovingWidth = 640;
 constexpr int kMovingHeight = 360;
 
-// A stick that lies aslant: most of the one box about it would be empty.
+// A diagonal stick, most of whose bounding box is empty.
 PropModel stick() {
     PropMesh mesh;
     for (int i = 0; i <= 200; ++i) {
@@ -74,7 +74,7 @@ class MovingTiles : public testing::Test {
         find_moving_tiles(scene_, {scene_.camera, kMovingWidth, kMovingHeight}, built_);
         return built_.moving_tiles;
     }
-    // As whoever draws the stick says.
+    // Marks the stick's tiles as its renderer does.
     void want_stick() {
         const TileGrid grid{kMovingWidth, kMovingHeight};
         built_.prop_tiles.assign(grid.count(), 0);
@@ -84,7 +84,7 @@ class MovingTiles : public testing::Test {
                        built_.prop_tiles);
         }
     }
-    // Whether the tile that a point of the world is seen in is among them.
+    // Whether the tile of a world point is marked.
     [[nodiscard]] bool holds(vec3 point) const {
         const Projector project({scene_.camera, kMovingWidth, kMovingHeight});
         const vec4 at = project(point);

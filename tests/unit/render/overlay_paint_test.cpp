@@ -9,7 +9,7 @@
 namespace onggi::render {
 namespace {
 
-constexpr int kOverlayWidth = 61;  // no whole number of vectors
+constexpr int kOverlayWidth = 61;  // not a multiple of the vector width
 constexpr int kOverlayHeight = 23;
 constexpr PixelRect kAll{0, 0, kOverlayWidth, kOverlayHeight};
 constexpr ui::Colour kGlass{.r = 0.8F, .g = 0.4F, .b = 0.2F, .a = 0.5F};
@@ -54,7 +54,7 @@ TEST(OverlayPaint, CoversThePixelsWhoseMiddleABoxHolds) {
     }
 }
 
-// Glass that lay on a pixel twice, or not at all, would show along the sides that triangles share.
+// Blending a pixel twice or not at all would show along shared edges of triangles.
 TEST(OverlayPaint, CoversASidesPixelsOnceWhereTrianglesMeet) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> across(2.0F, kOverlayWidth - 2.0F);
@@ -128,7 +128,7 @@ TEST(OverlayPaint, PutsAPicturesPixelsWhereTheyBelong) {
     }
 }
 
-// What is laid over what, against the same in real numbers.
+// Compares the blending with exact arithmetic.
 TEST(OverlayPaint, LaysColoursOverEachOtherWithinTwoLevels) {
     std::mt19937 random(9);
     std::uniform_real_distribution<float> fraction(0.0F, 1.0F);

@@ -10,8 +10,8 @@ namespace {
 constexpr int kLaidAcross = 320;
 constexpr int kLaidDown = 60;
 
-// Red rises to the right and green downwards, without a corner; the unlit one is half of it, but for a column
-// in which compression has left the lit one the darker.
+// Red rises smoothly to the right and green downwards; the unlit photograph has half the values, except for a
+// column in which compression has made the lit one darker.
 constexpr int kBadColumn = 100;
 HostPhotograph photograph(bool is_lit, ByteOrder order = ByteOrder::kRedFirst) {
     std::vector<std::uint8_t> rgba;

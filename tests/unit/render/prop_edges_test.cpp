@@ -12,7 +12,7 @@ constexpr int kOutlineWidth = 640;
 constexpr int kOutlineHeight = 360;
 constexpr float kBallMm = 40.0F;
 
-// A square of two triangles that share no vertex, only places.
+// A square of two triangles that share positions but no vertices.
 PropMesh square() {
     PropMesh mesh;
     for (const vec3 at :

@@ -20,7 +20,7 @@ std::vector<std::uint32_t> chosen(const PropMesh& mesh, const mat4& place, vec3 
     return indices;
 }
 
-// One way round or the other, as the eye sees it.
+// Whether the face is front-facing for the eye.
 bool looks_at(const PropMesh& mesh, std::size_t first, const mat4& place, vec3 eye_mm) {
     const auto corner = [&](std::size_t i) {
         return vec3(place * vec4(mesh.vertices[mesh.indices[first + i]].position_mm, 1.0F));
@@ -62,7 +62,7 @@ TEST(PropFaces, LeaveOutAHandThatThePotIsAround) {
     };
     EXPECT_EQ(left_out({0.0F, 60.0F, 0.0F}), 1.0);
     EXPECT_EQ(left_out({0.0F, 60.0F, 120.0F}), 0.0);
-    EXPECT_EQ(left_out({0.0F, 60.0F, -120.0F}), 0.0) << "what is behind the pot is not inside it";
+    EXPECT_EQ(left_out({0.0F, 60.0F, -120.0F}), 0.0) << "parts behind the pot are not inside it";
     EXPECT_EQ(left_out({0.0F, 175.0F, 0.0F}), 0.0);
     const double half = left_out({0.0F, 140.0F, 0.0F});
     EXPECT_GT(half, 0.2);
@@ -81,7 +81,7 @@ class APot : public testing::Test {
         sample_profile(built(), samples_);
     }
     [[nodiscard]] LatheProfile built() const { return pot_.profile(); }
-    // By small steps along the ray.
+    // Steps along the ray.
     [[nodiscard]] bool is_behind_the_wall(vec3 point_mm) const {
         for (float fraction = 0.0F; fraction < 0.2F; fraction += 0.0002F) {
             const vec3 at = point_mm + (eye_mm_ - point_mm) * fraction;

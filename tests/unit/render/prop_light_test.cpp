@@ -1,5 +1,4 @@
-// The shader that does the same is drawn beside it by tests/golden/backends_agree_test.cpp; here, light whose
-// answer is known.
+// tests/golden/backends_agree_test.cpp compares with the shader; here, cases of light with known results.
 #include "engine/render/pixels/prop_light.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +13,12 @@
 namespace onggi::render {
 namespace {
 
-// How near the transfer is to the standard is formula_test.cpp's.
+// formula_test.cpp tests the transfer function against the standard.
 float lit(float light) {
     return 255.0F * shaders::transferred(std::min(light / (0.8F * light + 0.35F), 1.0F));
 }
 
-// Of all of a mesh's vertices.
+// The indices of all vertices of a mesh.
 std::vector<std::uint32_t> numbers_of(const PropMesh& mesh) {
     std::vector<std::uint32_t> numbers(mesh.vertices.size());
     std::iota(numbers.begin(), numbers.end(), 0U);
@@ -94,7 +93,7 @@ TEST_F(PropLight, IsMirroredByAPolishedSkinOfNoColour) {
 TEST_F(PropLight, OfTheKeyIsTheColoursAndAGleam) {
     frame_.key_radiance = vec4(2.0F);
     mesh_.albedo = vec3(0.3F);
-    // Straight on, at the roughest, the gleam is a quarter of what is mirrored.
+    // At normal incidence and full roughness the highlight is a quarter of the mirror reflectance.
     EXPECT_NEAR(colour()[0], lit(2.0F * (0.3F * kTone + 0.25F * 0.04F)), 0.02F);
     mesh_.vertices[0].open_sky = 0;
     EXPECT_NEAR(colour()[0], lit(0.55F * 2.0F * (0.3F * kTone + 0.25F * 0.04F)), 0.02F) << "in a corner";
@@ -159,7 +158,7 @@ TEST_F(PropLight, FindsEachCornerWhereTheCameraSeesIt) {
     std::vector<PropCorner> more = corners();
     light_corners(mesh_, numbers_of(mesh_), prop_, {frame_, samples_}, more);
     EXPECT_EQ(more.size(), 2 * before);
-    // Only those that are asked for.
+    // Only the requested vertices.
     std::vector<PropCorner> few;
     light_corners(mesh_, std::array<std::uint32_t, 3>{149, 2, 2}, prop_, {frame_, samples_}, few);
     ASSERT_EQ(few.size(), before);

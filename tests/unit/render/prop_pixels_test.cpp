@@ -58,7 +58,7 @@ TEST_F(PropPixels, LeaveNoneOutBetweenTwoTrianglesAndDrawNoneTwice) {
                 indices.push_back(index);
         }
     }
-    // Each triangle a little nearer than the one before would be seen in every pixel that both draw.
+    // Each triangle is slightly nearer than the previous one, so a pixel drawn by both would show.
     std::vector<int> times(pixels_.size(), 0);
     for (std::size_t first = 0; first < indices.size(); first += 3) {
         clear();
@@ -95,7 +95,7 @@ TEST_F(PropPixels, ShowWhatIsNearest) {
     depth_[100] = 0.1F;
     draw(sheet(0.2F, 20.0F), kSheet);
     EXPECT_EQ(pixels_[99] & 255U, 20U);
-    EXPECT_EQ(pixels_[100] & 255U, 40U) << "what is there already is nearer";
+    EXPECT_EQ(pixels_[100] & 255U, 40U) << "the existing pixel is nearer";
     EXPECT_EQ(depth_[100], 0.1F);
     EXPECT_EQ(pixels_.back() & 255U, 20U) << "to the last pixel";
 }

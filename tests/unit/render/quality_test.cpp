@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFrameS = 1.0 / 60.0;
 
-// So many seconds of frames that take this long; how often the step changed.
+// Runs frames of drawn_ms for `seconds`. Returns the number of step changes.
 int run(QualityLadder& ladder, double seconds, double drawn_ms) {
     int changes = 0;
     for (double t = 0.0; t < seconds; t += kFrameS)
@@ -57,7 +57,8 @@ TEST(QualityLadder, GoesUpWhenThereIsTimeToSpareForLong) {
 TEST(QualityLadder, TriesAgainEverMoreSeldomWhatDidNotLast) {
     QualityLadder ladder(quality_range(DeviceClass::kSoftware, 1));
     int changes = 0;
-    // The lower step is easy, the higher one too much: without patience it would change every few seconds.
+    // The lower step is easy, the higher one too much: without the growing delay it would change every few
+    // seconds.
     for (double t = 0.0; t < 1200.0; t += kFrameS)
         changes += ladder.frame(ladder.step() == QualityStep::kTwoCores ? 18.0 : 4.0, kFrameS) ? 1 : 0;
     EXPECT_GE(changes, 6);
@@ -77,7 +78,7 @@ TEST(QualityLadder, StepsDownAtOnceForWantOfMemory) {
     EXPECT_EQ(ladder.step(), QualityStep::kIntegratedGpu);
 }
 
-// A GPU never falls to what is made for a processor that reads and writes pixels itself.
+// A GPU never falls back to the steps of the CPU backend.
 TEST(QualityLadder, NeverTakesAGpuToTheProcessorsBackend) {
     for (const DeviceClass device : {DeviceClass::kIntegratedGpu, DeviceClass::kDiscreteGpu}) {
         QualityLadder ladder(quality_range(device, 1));
@@ -111,11 +112,11 @@ TEST(QualityLadder, GivesUpSamplesAndThenSizeOnAGpu) {
     EXPECT_TRUE(has_time_for_moving_camera(ladder.step()));
 }
 
-// A GPU that takes so long for a picture of the highest step, by what it really takes beside that for
-// another; visitors who come and go.
+// Simulates a GPU that takes highest_ms for the highest step and the measured ratio of that for the others,
+// with visitors who come and go.
 struct SlowDevice {
     double discrete_ms = 10.0;
-    double fixed_ms = 1.0;  // whatever is drawn
+    double fixed_ms = 1.0;  // independent of the content
     int hiccup_every = 0;   // frames; each of them takes four times as long
     int frame = 0;
 
@@ -179,7 +180,7 @@ TEST(QualityLadder, SettlesOnASlowGpuAndChangesNoMoreThanOnceInViewOfAVisitor) {
     }
 }
 
-TEST(QualityLadder, GoesUpOnAGpuOnlyWhileNobodyLooks) {
+TEST(QualityLadder, GoesUpOnAGpuOnlyWithoutAVisitor) {
     QualityLadder ladder(quality_range(DeviceClass::kIntegratedGpu, 1));
     EXPECT_EQ(run(ladder, 600.0, 3.0), 0) << "a visitor looks";
     EXPECT_TRUE(ladder.unseen());

@@ -1,5 +1,4 @@
-// The shader that does the same is drawn beside it by tests/golden/backends_agree_test.cpp; here, what a
-// drawing of a cut has where.
+// tests/golden/backends_agree_test.cpp compares with the shader; here, the layout of a section drawing.
 #include "engine/render/pixels/section_pixels.h"
 
 #include <gtest/gtest.h>

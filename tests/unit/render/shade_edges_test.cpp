@@ -39,7 +39,7 @@ class ShadeEdgesOf : public testing::Test {
 };
 
 TEST_F(ShadeEdgesOf, TwoThingsMixThemWhereOneIsInShade) {
-    // The head's outline is upright; its pixel and the bench's there are what a photograph makes of both.
+    // The wheel head has a vertical silhouette; the pixels beside it mix head and bench, as in a photograph.
     for (int y = 0; y < kShadedHeight; ++y) {
         for (int x = 0; x < 20; ++x) {
             place(x, y) = kHead;
@@ -104,7 +104,7 @@ TEST_F(ShadeEdgesOf, NothingAreNone) {
     const std::vector<std::uint32_t> photograph = picture_;
     smooth();
     EXPECT_EQ(picture_, photograph) << "one surface";
-    // What no shadow reaches lies at the mask's border, wherever it is in the picture.
+    // Pixels that no shadow reaches map to the mask's border.
     std::fill(places_.begin(), places_.end(), place_of(95, 40));
     for (int y = 0; y < kShadedHeight; ++y)
         place(20, y) = place_of(0, 40);

@@ -12,7 +12,7 @@
 namespace onggi::render {
 namespace {
 
-// A light from the left, and a mask that holds what stands within 100 mm of the axis.
+// A light from the left, and a mask for everything within 100 mm of the axis.
 shaders::FrameData frame_of(vec3 towards_light) {
     const DirectionalLight light{.towards_light = glm::normalize(towards_light), .angular_radius_rad = 0.05F};
     const MaskPlacement placed = place_mask({.half_width_mm = 200.0F, .height_mm = 200.0F}, light);
@@ -101,13 +101,13 @@ TEST(MaskPlace, IsThatOfEveryCoordinate) {
     }
 }
 
-// How near the transfer is to the standard is formula_test.cpp's.
+// formula_test.cpp tests the transfer function against the standard.
 double light_of(double value) {
     const double c = double{shaders::untransferred(static_cast<float>(value))};
     return 0.35 * c / (1.0 - 0.8 * c);
 }
 
-// What there is of both lights, as it is written, in double.
+// The exact mix of both lights, in double.
 double shaded(double with_key, double without_key, double ambient, double key, double left) {
     const double unlit = light_of(without_key);
     const double light = std::max(unlit * ambient + (light_of(with_key) - unlit) * key, 0.0) * left;

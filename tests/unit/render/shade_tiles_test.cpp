@@ -72,7 +72,7 @@ TEST(Tiles, AreWantedWhereARectangleTouchesThemInsideThePicture) {
     EXPECT_EQ(std::count(wanted.begin(), wanted.end(), 1), 0);
 }
 
-// Every pixel somewhere in the mask, as a plane seen at a slant has it.
+// Every pixel maps into the mask, as for a plane seen obliquely.
 class ShadedTiles : public testing::Test {
   protected:
     ShadedTiles() {
@@ -123,7 +123,7 @@ TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
                 ASSERT_EQ(times[at], 1);
             }
         }
-        // And not much beside them: a tile reads a few texels.
+        // And few others: a tile reads a few texels.
         EXPECT_LT(std::count(times.begin(), times.end(), 1), std::ptrdiff_t(times.size() / 2));
     }
 }
@@ -132,7 +132,7 @@ TEST_F(ShadedTiles, ReadTheFourTexelsAboutTheirPlaceAndNoOthers) {
     constexpr TileGrid kOne{kTileWidthPx, kTileHeightPx};
     constexpr std::uint32_t kAcross = shaders::kMaskTexels;
     for (std::uint32_t texel = 0; texel < kAcross * (kAcross - 1); texel += 31) {
-        if (texel % kAcross == kAcross - 1) continue;  // no place lies there
+        if (texel % kAcross == kAcross - 1) continue;  // no pixel maps there
         const std::vector<std::uint32_t> places(std::size_t{kTileWidthPx} * kTileHeightPx, texel << 16U);
         const auto is_shaded = [&](std::uint32_t changed) {
             tiles_.learn(kOne, places);

@@ -18,7 +18,7 @@ class EditedShaders : public testing::Test {
         age(std::chrono::hours(1));
         reload_ = std::make_unique<ShaderReload>(folder_.path());
     }
-    // So that an edit is newer, whatever the file system's clock is worth.
+    // So that an edit is newer, even with a coarse file system clock.
     void age(std::chrono::hours by) {
         for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
             std::filesystem::last_write_time(entry, entry.last_write_time() - by);
@@ -35,14 +35,14 @@ class EditedShaders : public testing::Test {
     std::unique_ptr<ShaderReload> reload_;
 };
 
-TEST_F(EditedShaders, AreLeftAloneWhileNobodyEdits) {
+TEST_F(EditedShaders, AreNotCompiledWithoutAnEdit) {
     const auto polled = reload_->poll();
     ASSERT_TRUE(polled);
     EXPECT_FALSE(*polled);
     EXPECT_TRUE(reload_->replacements().empty());
 }
 
-TEST_F(EditedShaders, AreCompiledAnewWhereTheyChanged) {
+TEST_F(EditedShaders, AreCompiledAgainWhenChanged) {
     edit("prop.frag", "vec4(encode(light), 1.0)", "vec4(encode(light * 2.0), 1.0)");
     const auto polled = reload_->poll();
     ASSERT_TRUE(polled) << polled.error().message;

@@ -1,4 +1,4 @@
-// Which pixels a triangle must cover, whoever draws it: those whose middle lies inside.
+// The pixels that a triangle must cover: those whose centre lies inside.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ struct DrawnWays {
     bool counter_clockwise = true;
 };
 
-// A picture whose width is no multiple of what is drawn side by side.
+// A picture whose width is not a multiple of the vector width.
 class TrianglePixels : public ::testing::Test {
   protected:
     [[nodiscard]] std::uint32_t at(int x, int y) const {
@@ -43,8 +43,8 @@ class TrianglePixels : public ::testing::Test {
         std::fill(pixels_.begin(), pixels_.end(), kUntouched);
         std::fill(depth_.begin(), depth_.end(), 1.0F);
     }
-    // Draws many triangles, each on an untouched picture: `draw` takes its corners. Says how many pixels were
-    // covered.
+    // Draws many triangles, each on a cleared picture: `draw` takes its corners. Returns the number of
+    // covered pixels.
     template <typename Draw>
     int expect_those_inside(const DrawnWays& ways, Draw draw) {
         std::mt19937 random(5);

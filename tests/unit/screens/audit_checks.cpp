@@ -80,7 +80,7 @@ void lays_no_target_over_another(const SampleView&, const Composition& screen) {
     }
 }
 
-// Where a pot of the picture can be touched, nothing else is pressed; and it is no smaller than a target.
+// A touchable pot in the picture must not overlap a target, and must be at least as large as a target.
 void lets_a_picture_be_touched_clear_of_targets(const SampleView&, const Composition& screen) {
     for (std::size_t i = 0; i < screen.targets.size(); ++i) {
         const Rect& also = screen.targets[i].also;
@@ -119,7 +119,7 @@ void writes_on_no_pot(const SampleView&, const Composition& screen) {
     }
 }
 
-// Who sits, or is small, reaches this far up: on every screen that a visitor meets.
+// The reach of a sitting or small visitor: on every screen of a visit.
 void keeps_reach(const SampleView& sample, const Composition& screen) {
     if (!sample.view->state.comfort.reach || is_staff(*sample.view)) return;
     for (const Target& target : screen.targets)
@@ -131,13 +131,13 @@ void keeps_reach(const SampleView& sample, const Composition& screen) {
 void audit_contrast(const SampleView& sample, const Composition& screen) {
     // The brightest thing the scene has to show is its window.
     const asset::Image behind = flatten(screen, ui::hex(0xf5f9fd), false);
-    // The name of what the ring is on hides what it lies over.
+    // The name of the target in the ring hides what is below.
     constexpr float kChipEdge = 18.0F;
     const auto hides = [&](const Writing& other, const Writing& text) {
         const Rect shared = overlap(other.within.grown(kChipEdge), text.rect);
         return other.over && &other != &text && shared.width > 0.0F && shared.height > 0.0F;
     };
-    // A pixel of the small painting smears the ring, which ends where the label below begins.
+    // In the small painting a pixel blurs the ring into the label below.
     const auto is_on_ring = [&](vec2 at) {
         const int focus = sample.view->focus;
         if (focus < 0 || focus >= static_cast<int>(screen.targets.size())) return false;
@@ -165,7 +165,7 @@ void audit_contrast(const SampleView& sample, const Composition& screen) {
             }
         }
         if (ratios.empty()) continue;
-        // All but the worst half per cent: antialiased edges of what lies behind.
+        // Ignores the worst half per cent: antialiased edges of the background.
         const auto worst = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 200);
         std::nth_element(ratios.begin(), worst, ratios.end());
         EXPECT_GE(*worst, kLeastContrast) << text.words << " at " << where(text.rect);

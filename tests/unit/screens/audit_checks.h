@@ -1,4 +1,4 @@
-// What an audit asks of a composed screen, one rule a function; each fails the test that calls it. See
+// The rules of the audit of a composed screen, one per function; each fails the calling test. See
 // audit_test.cpp.
 #pragma once
 
@@ -7,12 +7,11 @@
 
 namespace onggi::screens {
 
-// All that can be asked of places and words alone.
+// The rules for positions and texts alone.
 void audit_layout(const SampleView& sample, const Composition& screen);
-// Words against what is painted behind them.
+// The contrast of texts against their background.
 void audit_contrast(const SampleView& sample, const Composition& screen);
-// The stage's texture holds all of its pictures at once: where they take turns, all of them are copied in
-// every frame.
+// The stage's texture must hold all of its pictures at once: otherwise all are copied in every frame.
 void audit_room(const SampleView& sample, const Composition& screen);
 
 }  // namespace onggi::screens

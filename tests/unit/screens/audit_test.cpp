@@ -1,7 +1,7 @@
 // The audit of every screen, in every language, shape and size of text, and in every way it can be set up:
-// nothing too small to read or to touch, nothing clipped, nothing laid over another, nothing on a pot, and
-// words that stand out from what is behind them. A layout is in u, the same for 720 lines and for 4K, and is
-// judged without a brush; what words stand on is judged on a small painting.
+// nothing too small to read or to touch, nothing clipped, nothing overlapping, nothing on a pot, and enough
+// contrast. A layout is in u, the same for 720 lines and for 4K, and is checked without painting; contrast is
+// checked on a small painting.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
     return fmt::format("{}_{}x{}", one.language, one.width_px, one.height_px);
 }
 
-// One painter for all: its fonts take as long to find as a layout to judge. And one store: the same pots
-// stand on a screen in every language.
+// One painter for all tests, because finding its fonts takes as long as checking a layout. And one store: the
+// same pots are on the screens of every language.
 class Audit : public testing::TestWithParam<Case> {
   protected:
     static void SetUpTestSuite() {
@@ -66,7 +66,7 @@ std::string words_for(const SampleRequest& way) {
                        way.left_hand ? ", left hand" : "", way.scans ? ", ring" : "");
 }
 
-// With the ring on the n-th of its targets, round and round.
+// With the ring on target n modulo the number of targets.
 SampleView with_ring(const SampleView& sample, std::size_t n, std::size_t targets) {
     View view = *sample.view;
     view.focus = targets == 0 ? -1 : static_cast<int>(n % targets);
@@ -94,14 +94,14 @@ TEST_P(Audit, FindsNothingInAnyLayout) {
     expect_nothing_in_any_layout(GetParam(), *painter_);
 }
 
-// Panels between the three shapes that were drawn, and beyond them, hung either way.
+// Panel shapes between and beyond the three designed ones, landscape and portrait.
 class OtherShapes : public Audit {};
 TEST_P(OtherShapes, FindsNothingInAnyLayout) {
     expect_nothing_in_any_layout(GetParam(), *painter_);
 }
 
-// Words may keep their size where their box has no room for more, but none is smaller for who asks for larger
-// ones, and taken together they are clearly larger.
+// With larger text, texts without room keep their size, but none is smaller, and on the whole they are
+// clearly larger.
 TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
     const Case& one = GetParam();
     PaintingStore store(*painter_, PaintingStore::Paints::kNothing);
@@ -160,7 +160,7 @@ TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
     audit({.text_size = 3, .reach = true, .left_hand = true, .scans = true, .staff = false});
 }
 
-// Unoptimised, one audit takes a minute: there the code runs once, and the optimised builds judge the rest.
+// Unoptimised, one audit takes a minute: debug builds run it once, and the optimised builds do the rest.
 #ifdef NDEBUG
 INSTANTIATE_TEST_SUITE_P(Screens, Audit,
                          testing::Values(Case{1280, 720, "en"}, Case{1280, 720, "ko"}, Case{1280, 720, "ar"},

@@ -1,5 +1,4 @@
-// A composition as a picture, drawn without Vulkan: for the audit, which looks behind the words, and for
-// eyes.
+// A composition as a picture, drawn without Vulkan: for the audit of contrast, and for inspection.
 #pragma once
 
 #include "engine/asset/image.h"
@@ -7,7 +6,7 @@
 
 namespace onggi::screens {
 
-// Over a plain ground where the scene would be. `with_words` false leaves the words out: what is behind them.
+// Draws over a plain colour in place of the scene. with_words false: without texts, for their background.
 [[nodiscard]] asset::Image flatten(const Composition& composition, const ui::Colour& ground, bool with_words);
 
 }  // namespace onggi::screens

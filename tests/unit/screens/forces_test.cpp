@@ -40,7 +40,7 @@ TEST(ForceTrace, MeasuresTheTickRateOverManyTicks) {
     for (int frame = 0; frame <= 60; ++frame)
         trace.add(frame / 60.0, 0.0, static_cast<std::uint64_t>(std::floor(frame * 4000.0 / 60.0)));
     EXPECT_NEAR(trace.rate_hz(), 4000.0, 5.0);
-    // The loop hangs: after a quarter of a second that is what is seen.
+    // The loop hangs: the display shows it after a quarter of a second.
     for (int frame = 61; frame <= 80; ++frame)
         trace.add(frame / 60.0, 0.0, 4000);
     EXPECT_EQ(trace.rate_hz(), 0.0);
@@ -146,7 +146,7 @@ TEST_F(ForcesOnStage, ShowsArrowsWhileTeachingAndNumbersAndPlotsToWhoAsks) {
     EXPECT_GT(vertices("throw-forces", &frame), panel_alone + 4U * 16U + 2U * 99U * 4U);
 }
 
-TEST_F(ForcesOnStage, ShowsNothingWhereNobodyThrows) {
+TEST_F(ForcesOnStage, ShowsNothingOutsideThrowing) {
     const ForceFrame frame = sample_frame(trace_);
     EXPECT_EQ(vertices("glaze-0", &frame), vertices("glaze-0", nullptr));
 }

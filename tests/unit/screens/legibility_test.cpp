@@ -24,7 +24,7 @@ double smallest_degrees(const Panel& panel) {
                                  panel.distance_mm);
 }
 
-// The screens of these names as they are composed for that panel.
+// Composes the screens of these names for that panel.
 std::vector<Composition> composed(const std::vector<std::string>& names, const Panel& panel) {
     ui::Painter painter;
     PaintingStore store(painter);
@@ -54,7 +54,7 @@ TEST(Legibility, DependsOnThePanelAndTheDistanceAndNotOnThePixels) {
     EXPECT_LT(smallest_degrees({1920, 1080, 24.0, 900.0}), kLeastCapitalDegrees);
     EXPECT_GT(smallest_degrees({1080, 1920, 32.0, 600.0}), kLeastCapitalDegrees);
     EXPECT_NEAR(legible_scale(0.4151, 1000.0) / legible_scale(0.4151, 800.0), 1.25F, 1e-4F)
-        << "further off by so much, larger by so much";
+        << "larger in proportion to the distance";
     EXPECT_EQ(legible_scale(0.4151, 5000.0), 2.0F) << "beyond it no box holds a word";
     EXPECT_EQ(legible_scale(0.4151, 200.0), 1.0F) << "never smaller than designed";
 }
@@ -98,7 +98,7 @@ TEST(Legibility, LetsWordsGrowForWhoStandsFurtherOffAsFarAsTheirBoxesAllow) {
         }
     }
     EXPECT_GT(grown * 2, all) << grown << " of " << all << " writings";
-    // What the design gives a box of its own size stays as it is, and the program says so when it starts.
+    // Texts whose box has a fixed size stay small; the program reports that at its start.
     EXPECT_GT(legible * 3, all) << legible << " of " << all << " writings";
 }
 

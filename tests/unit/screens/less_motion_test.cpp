@@ -1,5 +1,5 @@
-// For who asked for less motion nothing moves by itself, on any screen, and one screen takes another's place
-// by a short fade. Judged by what the stage draws at times that follow one another.
+// With reduced motion nothing moves by itself on any screen, and screens change by a short fade. Checked by
+// the stage's output at successive times.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ class LessMotion : public testing::Test {
     const ui::DrawList& draw(Stage& stage, double now_s) const {
         return stage.draw({.now_s = now_s, .band = &band_});
     }
-    // How many of the screens still change once they have come.
+    // The number of screens that still change after their transition.
     int moving(bool still) {
         int count = 0;
         for (const auto& screen : screens(still)) {
@@ -56,7 +56,7 @@ class LessMotion : public testing::Test {
             all.emplace(vertex.position_px.x, vertex.position_px.y);
         return all;
     }
-    // How many changes from screen to screen show something where neither of the two has it.
+    // The number of transitions that draw something at a position where neither screen has it.
     int sliding(bool still) {
         const auto all = screens(still);
         int count = 0;

@@ -25,7 +25,7 @@ void add_staff_views(const View& base, std::vector<SampleView>& all) {
          "12.4 ms: overlay's pictures 0.3, still life 4.1, lathe 5.0, hands and tools 1.2, overlay 1.8", "",
          -1},
         {"Picture", "two or more software cores", "", -1},
-        {"Temperature", "this machine tells none", "", -1},
+        {"Temperature", "not measured here", "", -1},
         {"Disk free", "152343 MB, 200 needed", "ok", -1},
         {"Running", "214 h 32 min, started 12 times today", "", -1},
         {"Smallest text", "0.76\u00b0 at 600 mm", "ok", -1},

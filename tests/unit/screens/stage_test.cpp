@@ -85,7 +85,7 @@ TEST_F(Theatre, LetsTheSceneRestWhileAScreenThatCoversItComesOrGoes) {
     EXPECT_TRUE(stage_.scene_rests());
     static_cast<void>(draw(2.6));
     EXPECT_FALSE(stage_.scene_rests());
-    // In another language it is the same scene, at which somebody is at work.
+    // In another language it is the same scene, with a visitor at work.
     stage_.take(composed("throw-0", "ko"), 3.0);
     static_cast<void>(draw(3.1));
     EXPECT_FALSE(stage_.scene_rests());
@@ -111,7 +111,7 @@ TEST_F(Theatre, FadesSlowlyBetweenTheThrowingAndAMuseumsPotAndQuicklyToAVisitor)
     EXPECT_FALSE(stage_.changes(2.25)) << "who has touched it does not wait";
 }
 
-// How many vertices of one list the other has too, at the same place in the same colour.
+// Counts the vertices that both lists have, with the same position and colour.
 std::size_t shared_vertices(const std::vector<ui::Vertex>& list, const std::vector<ui::Vertex>& other) {
     return static_cast<std::size_t>(std::count_if(list.begin(), list.end(), [&](const ui::Vertex& vertex) {
         return std::any_of(other.begin(), other.end(), [&](const ui::Vertex& one) {
@@ -209,7 +209,7 @@ TEST_F(Theatre, BringsTheCueAndTakesItAway) {
     EXPECT_GT(draw(1.9, -1, &cue).vertices().size(), with_arrow) << "and a thread to hands that lag";
 }
 
-TEST_F(Theatre, DrawsNoCueUnderAWarningAndNoneWhereNobodyThrows) {
+TEST_F(Theatre, DrawsNoCueUnderAWarningNorOutsideThrowing) {
     const Cue cue = belt();
     const Band band = cue.belt;
     stage_.take(composed("throw-0"), 0.0);
@@ -276,7 +276,7 @@ TEST(Composer, ComposesTheNewestRequestBesideTheFrame) {
     EXPECT_FALSE(latest->composition.items.empty());
 }
 
-// A frame waits for no letter: all of them are painted beside it.
+// A frame never waits for text: it is painted beside the frames.
 TEST(Composer, LeavesTheFrameNothingToPaint) {
     const auto samples = sample_views({.width_px = 320, .height_px = 180});
     Composer composer;
@@ -316,7 +316,7 @@ TEST_F(Theatre, TurnsAPotInTwoPlacesByTurns) {
     EXPECT_EQ(stage_.uploads().size(), 1U);
     EXPECT_EQ((std::set<std::uint64_t>{still, first, second}).size(), 3U);
     EXPECT_EQ(draw(1.25).hash(), second);
-    EXPECT_TRUE(stage_.uploads().empty()) << "only what is new";
+    EXPECT_TRUE(stage_.uploads().empty()) << "only new pictures";
     stage_.turn(turned(0.3));
     EXPECT_EQ(draw(1.3).hash(), first) << "the first place again";
 }

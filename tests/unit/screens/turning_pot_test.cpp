@@ -1,4 +1,4 @@
-// A pot that turns: as it was painted when it stands, and its colours going round while its light stays.
+// A turning pot: at rest as painted; its colours rotate while its light stays.
 #include "game/screens/pots/turning_pot.h"
 
 #include <gtest/gtest.h>

@@ -36,7 +36,7 @@ TEST(OpenCounter, NeverWaitsForAReader) {
         ASSERT_TRUE(reader);
         writer.count(ShareEvent::kPageOpened);
     }
-    writer.count(ShareEvent::kPageOpened);  // nobody reads any more
+    writer.count(ShareEvent::kPageOpened);  // no reader any more
     auto again = CounterReader::open(folder / "counter");
     ASSERT_TRUE(again);
     static_cast<void>(again->take());

@@ -14,10 +14,17 @@ std::vector<int> cut_at(Deadlines& deadlines, double now_s, int gone = -1) {
     return cut;
 }
 
-TEST(Deadlines, CutOffWhoDoesNotSayWhatItWants) {
+Deadlines::Handle add(Deadlines& deadlines, int socket, double now_s, std::uint8_t address = 1,
+                      std::vector<int>* cut = nullptr) {
+    return deadlines.add(socket, sharing::key_of_ipv4({10, 0, 0, address}), now_s, [&](int other) {
+        if (cut != nullptr) cut->push_back(other);
+    });
+}
+
+TEST(Deadlines, CloseAConnectionWithoutARequest) {
     Deadlines deadlines({.head_s = 10.0, .answer_s = 20.0, .bytes_per_s = 1000.0});
-    static_cast<void>(deadlines.add(3, 0.0));
-    const auto other = deadlines.add(4, 5.0);
+    static_cast<void>(add(deadlines, 3, 0.0));
+    const auto other = add(deadlines, 4, 5.0);
     EXPECT_TRUE(cut_at(deadlines, 9.9).empty());
     EXPECT_EQ(cut_at(deadlines, 10.0), std::vector<int>{3});
     EXPECT_TRUE(cut_at(deadlines, 11.0).empty()) << "once";
@@ -26,10 +33,10 @@ TEST(Deadlines, CutOffWhoDoesNotSayWhatItWants) {
     EXPECT_EQ(deadlines.size(), 1U);
 }
 
-TEST(Deadlines, CutOffWhoHasGoneBeforeItAsked) {
+TEST(Deadlines, CloseAConnectionGoneBeforeItsRequest) {
     Deadlines deadlines;
-    static_cast<void>(deadlines.add(3, 0.0));
-    const auto served = deadlines.add(4, 0.0);
+    static_cast<void>(add(deadlines, 3, 0.0));
+    const auto served = add(deadlines, 4, 0.0);
     deadlines.answers(served, 0.1, 1000);
     EXPECT_TRUE(cut_at(deadlines, 0.2, 4).empty()) << "it may have closed its own half and listen";
     EXPECT_EQ(cut_at(deadlines, 0.2, 3), std::vector<int>{3});
@@ -40,7 +47,7 @@ TEST(Deadlines, CutOffWhoHasGoneBeforeItAsked) {
 
 TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
     Deadlines deadlines({.head_s = 10.0, .answer_s = 20.0, .bytes_per_s = 1000.0});
-    const auto slow = deadlines.add(3, 0.0);
+    const auto slow = add(deadlines, 3, 0.0);
     deadlines.answers(slow, 1.0, 5000);
     EXPECT_TRUE(cut_at(deadlines, 25.9).empty());
     deadlines.has_answered(slow, 25.9);
@@ -49,15 +56,33 @@ TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
     EXPECT_EQ(cut_at(deadlines, 55.8), std::vector<int>{3});
 }
 
-TEST(Deadlines, HaveLessPatienceInACrowd) {
+TEST(Deadlines, AreShorterInACrowd) {
     Deadlines deadlines({.head_s = 10.0, .crowded_head_s = 1.0, .crowd = 3});
-    static_cast<void>(deadlines.add(3, 0.0));
-    const auto served = deadlines.add(4, 0.0);
+    static_cast<void>(add(deadlines, 3, 0.0));
+    const auto served = add(deadlines, 4, 0.0);
     deadlines.answers(served, 0.5, 1000);
     EXPECT_TRUE(cut_at(deadlines, 5.0).empty());
-    static_cast<void>(deadlines.add(5, 5.0));
+    static_cast<void>(add(deadlines, 5, 5.0));
     EXPECT_EQ(cut_at(deadlines, 5.5), std::vector<int>{3}) << "the silent one is in the way of others";
     EXPECT_EQ(cut_at(deadlines, 6.0), std::vector<int>{5}) << "whose answer is on its way is not";
+}
+
+TEST(Deadlines, GiveTheOldestOpenHeadsPlaceToANewcomer) {
+    Deadlines deadlines({.most_heads_an_address = 3, .most_heads = 5});
+    std::vector<int> cut;
+    const auto asked = add(deadlines, 3, 0.0, 1, &cut);
+    deadlines.answers(asked, 0.1, 1000);
+    for (int socket = 4; socket <= 6; ++socket)
+        static_cast<void>(add(deadlines, socket, 0.1 * socket, 1, &cut));
+    EXPECT_TRUE(cut.empty()) << "whose answer is on its way does not count";
+    static_cast<void>(add(deadlines, 7, 0.7, 2, &cut));
+    EXPECT_TRUE(cut.empty()) << "another address";
+    static_cast<void>(add(deadlines, 8, 0.8, 1, &cut));
+    EXPECT_EQ(cut, std::vector<int>{4});
+    static_cast<void>(add(deadlines, 9, 0.9, 2, &cut));
+    EXPECT_EQ(cut, std::vector<int>{4});
+    static_cast<void>(add(deadlines, 10, 1.0, 3, &cut));
+    EXPECT_EQ(cut, (std::vector<int>{4, 5})) << "of all addresses";
 }
 
 }  // namespace

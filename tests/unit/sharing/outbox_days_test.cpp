@@ -50,7 +50,7 @@ TEST(OutboxOverDays, LetsCodesRunOutAndKeepsTheDiskFlat) {
             ASSERT_EQ(again->list()->size(), outbox->list()->size());
             outbox = std::move(again);
         }
-        // The server looks at the time itself, whether the kiosk has cleared up or not.
+        // The server checks the time itself, whether or not the kiosk has removed expired pots.
         std::size_t open_now = 0;
         for (const auto& [text, end] : ends) {
             const ShareCode code = *ShareCode::read_exactly(text);
@@ -69,7 +69,7 @@ TEST(OutboxOverDays, LetsCodesRunOutAndKeepsTheDiskFlat) {
     EXPECT_EQ(ends.size(), 3U * 8 * 2);
     // Other codes pack a few bytes better or worse.
     EXPECT_LT(most_bytes, most_of_first_day + 1000) << "no day takes more than the first";
-    EXPECT_LT(most_bytes, 1'500'000U) << "twelve pots of some 60 kB, and what is at the door";
+    EXPECT_LT(most_bytes, 1'500'000U) << "twelve pots of some 60 kB, and the files outside them";
 }
 
 // Seconds since 1970 of a day's noon.
@@ -121,6 +121,28 @@ TEST_F(OutboxUnderAnyClock, KeepsTheNewestWhenTheClockStepsBackAnHour) {
     const std::string code = put(kNoonS - kHourS);
     EXPECT_EQ(outbox_.list()->size(), 3U);
     EXPECT_TRUE(is_served(code, kNoonS - kHourS)) << "who has just been shown a code finds a pot there";
+}
+
+TEST_F(OutboxUnderAnyClock, MakesRoomByAgeUnderAClockThatHasGoneBackToo) {
+    const std::string oldest = put(kNoonS);
+    const std::string older = put(kNoonS + 1);
+    put(kNoonS + 2);
+    const std::string first = put(60);  // 1970, after a power cut
+    const std::string second = put(120);
+    EXPECT_FALSE(is_served(oldest, 180));
+    EXPECT_FALSE(is_served(older, 180));
+    EXPECT_TRUE(is_served(first, 180)) << "a newcomer takes no newcomer's place";
+    EXPECT_TRUE(is_served(second, 180));
+}
+
+TEST_F(OutboxUnderAnyClock, KeepsAPageForItsTimeWhoseClockWasNotSet) {
+    const std::string code = put(60);
+    EXPECT_TRUE(is_served(code, kNoonS)) << "the network has set the clock, but no expiry has run yet";
+    ASSERT_TRUE(outbox_.expire(kNoonS));
+    EXPECT_TRUE(is_served(code, kNoonS + 5 * kHourS));
+    EXPECT_FALSE(is_served(code, kNoonS + 7 * kHourS));
+    ASSERT_TRUE(outbox_.expire(kNoonS + 7 * kHourS));
+    EXPECT_TRUE(outbox_.list()->empty());
 }
 
 TEST_F(OutboxUnderAnyClock, GoesOnAfter2038) {

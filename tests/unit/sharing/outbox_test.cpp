@@ -98,7 +98,7 @@ TEST_F(OutboxTest, GivesAPotWhatItLackedWhereItIsStillThere) {
     const auto code = outbox.put(unfilmed, kNoon);
     ASSERT_TRUE(code) << code.error().message;
     const fs::path place = folder_ / "box" / code->text();
-    // On a disk that is full in the middle of it.
+    // On a disk that becomes full during the write.
     EXPECT_EQ(test::in_child([&]() -> std::string {
                   test::limit_file_size(4096);
                   return outbox.renew(*code, whole, kNoon) ? "renewed" : "refused";
@@ -128,14 +128,15 @@ TEST_F(OutboxTest, TakesFilesFromTheDisk) {
     EXPECT_EQ(test::content_of(folder_ / "box" / code->text() / "pot.stl"), "triangles");
 }
 
-TEST_F(OutboxTest, LaysSomethingAtItsDoorSoThatNobodyListsIt) {
+TEST_F(OutboxTest, HasPagesAtItsTopThatPreventListing) {
     static_cast<void>(open_in(folder_ / "box"));
     EXPECT_NE(test::content_of(folder_ / "box/index.html").find("name=\"code\""), std::string::npos);
     EXPECT_NE(test::content_of(folder_ / "box/404.html").find("There is no pot here"), std::string::npos);
     const auto written = fs::last_write_time(folder_ / "box/404.html");
     test::put_file(folder_ / "box/index.html", "somebody else's");
     static_cast<void>(open_in(folder_ / "box"));
-    EXPECT_EQ(fs::last_write_time(folder_ / "box/404.html"), written) << "what is right is not written again";
+    EXPECT_EQ(fs::last_write_time(folder_ / "box/404.html"), written)
+        << "correct files are not written again";
     EXPECT_NE(test::content_of(folder_ / "box/index.html").find("name=\"code\""), std::string::npos);
 }
 
@@ -147,7 +148,7 @@ TEST_F(OutboxTest, WithdrawsByCodeAndByTheGallerysName) {
     const auto plain = outbox.put(support::full_pot("two"), kNoon);
     ASSERT_TRUE(named && plain);
     EXPECT_FALSE(*outbox.withdraw_named("2026-11-24/pot-004"));
-    EXPECT_FALSE(*outbox.withdraw_named("")) << "no name is nobody's";
+    EXPECT_FALSE(*outbox.withdraw_named("")) << "an empty code matches no pot";
     EXPECT_TRUE(*outbox.withdraw_named("2026-11-24/pot-003"));
     EXPECT_FALSE(fs::exists(folder_ / "box" / named->text()));
     EXPECT_TRUE(*outbox.withdraw(*plain));
@@ -223,7 +224,7 @@ TEST_F(OutboxTest, LeavesNothingWhereTheDiskRefuses) {
     }
     fs::permissions(folder_ / "box", fs::perms::owner_all);
     EXPECT_TRUE(outbox.list()->empty());
-    // A disk that is full in the middle of a pot.
+    // A disk that becomes full during a pot.
     EXPECT_EQ(test::in_child([&]() -> std::string {
                   test::limit_file_size(4096);
                   const auto full = outbox.put(support::full_pot("x"), kNoon);
@@ -239,17 +240,17 @@ TEST_F(OutboxTest, LeavesNothingWhereTheDiskRefuses) {
 TEST_F(OutboxTest, TakesAwayWhatAKilledWriterLeft) {
     fs::create_directories(folder_ / "box/K73FQ9TX.part");
     test::put_file(folder_ / "box/K73FQ9TX.part/pot.glb", "half");
-    fs::create_directories(folder_ / "box/K73FQ9TY");  // without a note: nobody can be told when it goes
+    fs::create_directories(folder_ / "box/K73FQ9TY");  // without a note, so without an expiry date
     test::put_file(folder_ / "box/K73FQ9TY/pot.glb", "half");
     fs::create_directories(folder_ / "box/precious/her.part");
     test::put_file(folder_ / "box/K73FQ9TY/.onggi-2147483647-0.part",
-                   "half a film");  // of no process that is
+                   "half a film");  // of a process that no longer exists
     Outbox outbox = open_in(folder_ / "box");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "box/K73FQ9TY"), {}), 1) << "pot.glb alone";
     EXPECT_FALSE(fs::exists(folder_ / "box/K73FQ9TX.part"));
     EXPECT_EQ(*outbox.expire(1), 1);
     EXPECT_FALSE(fs::exists(folder_ / "box/K73FQ9TY"));
-    EXPECT_TRUE(fs::exists(folder_ / "box/precious/her.part")) << "what is no pot is nobody's to take";
+    EXPECT_TRUE(fs::exists(folder_ / "box/precious/her.part")) << "anything but a pot is left alone";
 }
 
 TEST(KeptNote, IsReadAsItIsWritten) {

@@ -27,7 +27,7 @@ TEST(ShareLimits, GivesEachAddressItsShareAndNoMore) {
     EXPECT_EQ(granted, 10) << "a bucket is never fuller than full";
 }
 
-TEST(ShareLimits, CountsGuessesDearer) {
+TEST(ShareLimits, CountsAMissAsSeveralRequests) {
     ShareLimits limits(kRules);
     int guesses = 0;
     while (limits.allows(someone(1), 0.0)) {
@@ -51,7 +51,7 @@ TEST(ShareLimits, ForgetThoseWhoHaveNothingToPayFirst) {
     ShareLimits limits(kRules);
     while (limits.allows(someone(1), 0.0)) {
     }
-    // All the others are full again by the time room is needed.
+    // All other buckets are full again when space is needed.
     for (int a = 2; a < 64; ++a)
         ASSERT_TRUE(limits.allows(someone(static_cast<std::uint8_t>(a)), 0.0));
     for (int a = 64; a < 70; ++a)

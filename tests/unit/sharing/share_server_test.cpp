@@ -1,4 +1,4 @@
-// The server within the test's own process, at the test's own time.
+// The server in the test's own process, on virtual time.
 #include "game/app/sharing/share_server.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST_F(ShareServerAtWork, AnswersAndForgets) {
     EXPECT_EQ(status_of("GET /?code=" + code_ + " HTTP/1.1\r\nHost: pots\r\n\r\n"), 303);
     EXPECT_EQ(status_of("GET /7777ZZZZ/ HTTP/1.1\r\nHost: pots\r\n\r\n"), 404);
     EXPECT_EQ(status_of("GET /" + std::string(3000, 'a') + " HTTP/1.1\r\nHost: pots\r\n\r\n"), 400);
-    // More than it listens to: refused, or hung up on.
+    // A request above the limit: refused, or the connection closed.
     const int status = status_of("GET /" + std::string(20'000, 'a') + " HTTP/1.1\r\nHost: pots\r\n\r\n");
     EXPECT_TRUE(status == 414 || status == 431 || status == 0) << status;
     wall_s_ = 2000;
@@ -77,7 +77,7 @@ TEST_F(ShareServerAtWork, AnswersAndForgets) {
     EXPECT_EQ(server_->connections(), 0U);
 }
 
-TEST_F(ShareServerAtWork, CutsOffWhoIsSilentSlowOrAway) {
+TEST_F(ShareServerAtWork, ClosesSilentSlowAndGoneConnections) {
     test::HttpClient silent(port_, 200);
     test::HttpClient slow(port_, 200);
     slow.say("GET /" + code_ + "/ HT");
@@ -121,11 +121,11 @@ TEST_F(ShareServerAtWork, CutsOffACrowdOfSilentOnesAfterASecond) {
     EXPECT_EQ(status_of(page()), 200);
 }
 
-TEST_F(ShareServerAtWork, TellsWhoGuessesCodesToWait) {
+TEST_F(ShareServerAtWork, TellsAGuessingClientToWait) {
     std::map<int, int> answers;
     for (int i = 0; i < 120; ++i)
         ++answers[status_of("GET /7777ZZZZ/ HTTP/1.1\r\nHost: pots\r\n\r\n", 2)];
-    // A question takes a token and a miss fifteen more, of 400.
+    // A request takes one token and a miss fifteen more, of 400.
     EXPECT_EQ(answers, (std::map<int, int>{{404, 25}, {429, 95}}));
     now_s_ += 1.0;
     EXPECT_EQ(status_of(page()), 200);

@@ -1,4 +1,4 @@
-// An ear for tests: level, brightness and smoothness of samples. Slow and plain.
+// Measures samples for tests: level, brightness and smoothness. Simple and slow.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline double level_db(std::span<const double> samples) {
     return 10.0 * std::log10(sum / static_cast<double>(samples.size()) + 1e-18);
 }
 
-// How much of one frequency there is, as the amplitude of a sine (Goertzel's algorithm).
+// The amplitude at one frequency (Goertzel's algorithm).
 inline double amount_of(std::span<const double> samples, double frequency_hz) {
     const double turn = 2.0 * std::acos(-1.0) * frequency_hz / sound::kSampleRateHz;
     double before = 0.0;

@@ -1,4 +1,4 @@
-// Lines of speech: wave files that are read or refused, and what is heard of them.
+// Lines of speech: reading and refusing wave files, and their playback.
 #include "engine/sound/spoken_line.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::string wave(std::uint32_t rate_hz, std::uint32_t channels, std::size_t fram
     const std::uint32_t frame_bytes = channels * bits / 8;
     const std::string format = little(kind, 2) + little(channels, 2) + little(rate_hz, 4) +
                                little(rate_hz * frame_bytes, 4) + little(frame_bytes, 2) + little(bits, 2);
-    // A piece that nobody asked for, of an odd size, lies between.
+    // With an unknown chunk of odd size in between.
     return "RIFF" + little(0, 4) + "WAVEfmt " + little(16, 4) + format + "LIST" + little(3, 4) + "abc\0" +
            std::string(1, '\0') + "data" + little(static_cast<std::uint32_t>(data.size()), 4) + data;
 }

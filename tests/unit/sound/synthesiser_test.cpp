@@ -27,7 +27,7 @@ std::vector<Sample> played(Synthesiser& synthesiser, const SoundScene& scene, do
     synthesiser.render(scene, samples);
     return samples;
 }
-// Half a second of it, after everything has glided to its place.
+// Half a second of samples, after all parameters have settled.
 std::vector<double> heard(const SoundScene& scene) {
     Synthesiser synthesiser;
     played(synthesiser, scene, 0.6);

@@ -1,4 +1,4 @@
-// A meter that finds every picture calm protects nobody.
+// The flash meter must detect flashes.
 #include "tests/support/flash_meter.h"
 
 #include <gtest/gtest.h>

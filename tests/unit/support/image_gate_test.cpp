@@ -1,4 +1,4 @@
-// A gate that lets everything through protects nothing: each kind of wrong picture must fail.
+// The gate must reject each kind of wrong picture.
 #include "tests/support/image_gate.h"
 
 #include <gtest/gtest.h>

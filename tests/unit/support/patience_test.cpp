@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// What ctest measured comes back at the end.
+// Restores ctest's value at the end.
 class Patience : public testing::Test {
   protected:
     ~Patience() override { put(before_ == nullptr ? nullptr : kept_.c_str()); }

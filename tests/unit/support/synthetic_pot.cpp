@@ -23,7 +23,7 @@ double srgb(double linear) {
 
 using Colour = std::array<double, 3>;
 
-// Of one sample, linear: the wall under one lamp, or what lies behind.
+// The linear colour of one sample: the wall under one lamp, or the background.
 Colour sample(const PotPicture& picture, double x_mm, double y_mm) {
     const double radius = radius_mm(y_mm) + picture.wider_mm;
     if (y_mm < 0.0 || y_mm > kPotHeightMm || std::abs(x_mm) >= radius) return {0.05, 0.055, 0.06};

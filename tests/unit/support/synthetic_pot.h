@@ -1,5 +1,5 @@
-// A picture of a pot drawn on the processor, with the traits that the gate has to cope with: soft edges of
-// four samples a pixel, shading, a highlight, sRGB. Any thread.
+// A picture of a pot drawn on the processor, with the features that the gate must handle: antialiased edges
+// of four samples per pixel, shading, a highlight, sRGB. Any thread.
 #pragma once
 
 #include "engine/asset/image.h"

@@ -67,7 +67,7 @@ TEST(Atlas, ReplacesAPaintingWhereItLies) {
     EXPECT_EQ(static_cast<float>(uploads.front().x), first->x);
 }
 
-TEST(Atlas, ForgetsWhatNobodyAsksFor) {
+TEST(Atlas, DropsUnusedPaintings) {
     Atlas atlas(256);
     const auto first = atlas.place(1, painting(50, 20));
     const auto second = atlas.place(2, painting(30, 20));
@@ -77,14 +77,14 @@ TEST(Atlas, ForgetsWhatNobodyAsksFor) {
     EXPECT_EQ(atlas.place(2, painting(30, 20)), second);
     atlas.forget_unasked();
     const std::vector<Atlas::Upload> uploads = atlas.take_uploads();
-    ASSERT_EQ(uploads.size(), 1U) << "over the one that nobody asked for";
+    ASSERT_EQ(uploads.size(), 1U) << "over the unused one";
     EXPECT_EQ(static_cast<float>(uploads[0].x), first->x);
     EXPECT_EQ(static_cast<float>(uploads[0].y), first->y);
     EXPECT_EQ(uploads[0].painting->rgba, std::vector<std::uint8_t>(4, 0)) << "one clear pixel";
     EXPECT_EQ(atlas.place(2, painting(30, 20)), second);
     EXPECT_TRUE(atlas.take_uploads().empty());
     EXPECT_TRUE(atlas.place(1, painting(50, 20)));
-    EXPECT_EQ(atlas.take_uploads().size(), 1U) << "taken in anew";
+    EXPECT_EQ(atlas.take_uploads().size(), 1U) << "added again";
 }
 
 TEST(Atlas, RefusesWhatIsLargerThanAHalf) {

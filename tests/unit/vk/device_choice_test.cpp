@@ -58,7 +58,7 @@ TEST(DeviceChoice, SaysHowToMendThatThereIsNone) {
 
 TEST(DeviceChoice, TakesTheProcessorFirstWhereItIsAskedTo) {
     EXPECT_EQ(*choose(machine(), "", {.cpu_first = true}), 0U);
-    EXPECT_EQ(*choose(machine(), "intel", {.cpu_first = true}), 1U) << "whoever names one gets it";
+    EXPECT_EQ(*choose(machine(), "intel", {.cpu_first = true}), 1U) << "a named device is chosen";
     auto devices = machine();
     devices.erase(devices.begin());
     EXPECT_EQ(*choose(devices, "", {.cpu_first = true}), 1U) << "there is none: the best of the others";

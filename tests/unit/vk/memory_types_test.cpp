@@ -1,4 +1,4 @@
-// Which memory is tried for what, on machines as drivers describe them.
+// The order of memory types for each use, on machines as drivers describe them.
 #include <gtest/gtest.h>
 
 #include <initializer_list>

@@ -1,6 +1,5 @@
-// Which device draws in a window, on a machine with two: what is asked of each about it. What the drivers
-// would say of themselves and of a window is said here in their place, for software presents to every window
-// and no driver can be had that falls over one.
+// The choice of the device for a window on a machine with two, and the queries to each. The drivers' answers
+// are simulated, because software drivers present to every window and none crashes on one.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +31,7 @@ Function driver(const char* name) {
 }  // namespace
 }  // namespace onggi::vk
 
-// In the place of the loader's, for this program alone.
+// Replaces the loader's function in this program.
 extern "C" VkResult vkGetPhysicalDeviceSurfaceSupportKHR(VkPhysicalDevice device, std::uint32_t /*family*/,
                                                          VkSurfaceKHR /*surface*/, VkBool32* supported) {
     using namespace onggi::vk;

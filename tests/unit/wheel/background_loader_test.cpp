@@ -1,4 +1,4 @@
-// A window that becomes another shape: the backgrounds of that shape come beside the frame.
+// After a change of the window's aspect the backgrounds of that aspect are loaded beside the frames.
 #include "game/wheel/background_loader.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace onggi::wheel {
 namespace {
 
-// Nothing while a long time goes by.
+// Waits for a result; empty after a timeout.
 std::optional<BackgroundLoader::Loaded> waited_for(BackgroundLoader& loader) {
     std::optional<BackgroundLoader::Loaded> loaded;
     test::comes_true([&] { return (loaded = loader.take()).has_value(); });

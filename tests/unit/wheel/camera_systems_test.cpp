@@ -1,4 +1,4 @@
-// How the camera of the photographed room comes to another view, as the scene says it.
+// The transition of the photographed room's camera to another view.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,8 +79,8 @@ TEST_F(CameraOfARoom, ForgetsAViewThatIsNotWantedAnyMore) {
     EXPECT_EQ(frame().camera, place_);
 }
 
-// What is ready is the view that was asked for before.
-TEST_F(CameraOfARoom, WaitsAnewForAnotherFraming) {
+// The finished view is the one requested before.
+TEST_F(CameraOfARoom, WaitsAgainForAnotherFraming) {
     scene().look_at(View::kLookingIn);
     frame();
     scene().next_view_is_ready();

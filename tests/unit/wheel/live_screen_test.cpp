@@ -1,4 +1,4 @@
-// What breaks under a moving picture, broken on purpose: a device that is lost, memory that runs out.
+// Injected failures under a moving picture: a lost device, exhausted memory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TEST_F(ABrokenScreen, ShowsTheSamePictureAfterItsDeviceWasLostWhereverThatIsFoun
         EXPECT_LT(took_s, 2.0) << "of processor time, under the validation layer";
         EXPECT_EQ(view_->mended(), ++lost) << call;
         const std::vector<std::uint8_t> after = picture();
-        // Steps of the shade's mask may have stayed from what was drawn to warm up, of key and sky.
+        // The shadow mask's values for key and sky may still be those of the warm-up, off by a step.
         EXPECT_LE(furthest(after, before), 4) << call;
         if (!mended.empty()) {
             EXPECT_EQ(after, mended) << call;
@@ -122,7 +122,7 @@ TEST(AScreenOnTheLowestStep, GoesOnWhereThereIsNoMemoryForAWhile) {
     EXPECT_EQ((*view)->quality(), "one slow software core");
 }
 
-// Software that stands for a GPU is a slow one.
+// A software driver acts as a slow GPU.
 TEST(ASlowGpu, SettlesInViewByOneChangeAndBeginsThereTheNextTime) {
     const LiveViewOptions options{
         .width = 640, .height = 480, .headless = true, .backend = render::BackendChoice::kGpu};
@@ -174,7 +174,7 @@ TEST(TwoDevices, TakeEachOthersPlaceWhereOneIsLostAgainAndAgain) {
     EXPECT_EQ((*view)->device_index(), 0) << "once may be chance";
     lose();
     EXPECT_EQ((*view)->device_index(), 1);
-    // The other is as patient with itself; where both have failed, the better one draws.
+    // The other device has the same number of attempts; if both have failed, the better one draws.
     lose();
     EXPECT_EQ((*view)->device_index(), 1);
     EXPECT_EQ((*view)->mended(), 3);

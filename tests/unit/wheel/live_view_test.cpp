@@ -63,7 +63,7 @@ TEST(LiveView, ShowsTheSamePictureAfterAnotherAndBack) {
         EXPECT_TRUE((*view)->draw({.pot = &pot, .hand = {.position_mm = {90.0, 100.0, 0.0}}}));
         return (*view)->read_back().value().rgba;
     };
-    // Where the shade hardly changes it stays as it is; what it was before both of them is gone after this.
+    // Where the shade hardly changes it is kept; drawing both pots removes earlier values.
     for (const pot::Pot* shown : {&lump, &thin})
         static_cast<void>(picture(*shown));
     const auto first = picture(lump);

@@ -45,6 +45,14 @@ TEST_F(ARoomModel, OfOurWorkshopHasItsWheelAndItsThings) {
     EXPECT_GE(room->parts.size(), 20U);
 }
 
+TEST_F(ARoomModel, HasAWheelWhereANodeOrAMeshIsNamedSo) {
+    for (const char* name :
+         {"wheel", "Wheel.001", "wheel_head", "wheelhead", "WheelHead", "WHEEL-2", "wheel head"})
+        EXPECT_TRUE(load_room_model(sheet(name, 1.2F))->has_wheel) << name;
+    for (const char* name : {"wheelchair", "Wheelbarrow", "my wheel", "whee", ""})
+        EXPECT_FALSE(load_room_model(sheet(name, 1.2F))->has_wheel) << name;
+}
+
 TEST_F(ARoomModel, IsInMillimetresAndPlainColours) {
     const auto room = load_room_model(sheet("jar", 1.2F));
     ASSERT_TRUE(room) << room.error().message;

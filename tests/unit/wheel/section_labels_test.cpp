@@ -134,7 +134,7 @@ TEST(SectionLabels, StandApartInsideThePictureAtEverySize) {
     }
 }
 
-TEST(SectionLabels, AreNotWrittenOnSolidClayOrWhereNobodyCouldReadThem) {
+TEST(SectionLabels, AreNotDrawnOnSolidClayOrWhereTheyAreIllegible) {
     EXPECT_TRUE(
         labels_of({.outer_mm = std::vector<float>(200, 60.0F), .height_mm = 200.0}, 640, 480).items.empty());
     EXPECT_TRUE(labels_of(pot_of(clay::StudioClay()), 640, 480).items.empty());

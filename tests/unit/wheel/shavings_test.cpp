@@ -25,7 +25,7 @@ double out_mm(const mat4& place) {
 
 class AShaving : public testing::Test {
   protected:
-    // So many frames, in which that much more is cut.
+    // Runs `frames` frames, during which cut_mm3 more are cut.
     void pass(int frames, double cut_mm3 = 0.0) {
         for (int i = 0; i < frames; ++i) {
             sight_.shaved_mm3 += cut_mm3 / frames;
@@ -76,7 +76,7 @@ TEST_F(AShaving, IsGoneWithWhatWasTakenBackOrPutAway) {
     pass(1);
     const std::size_t count = shavings_.places().size();
     pass(10, 0.25 * kCutMm3);
-    EXPECT_GT(shavings_.places().size(), count) << "what is cut after that is shown again";
+    EXPECT_GT(shavings_.places().size(), count) << "later cuts are shown again";
     sight_.shaved_mm3 = 0.0;
     pass(1);
     EXPECT_TRUE(shavings_.places().empty());

@@ -29,7 +29,7 @@ ToolPose settled(const ToolSight& sight) {
     pose.follow(sight, 0.0);
     return pose;
 }
-// Where the model touches the clay, and which way it leads out of it.
+// The point where the model touches the clay, and its direction away from the clay.
 vec3 touch_of(const ShownTool& tool) {
     return vec3(tool.place[3]);
 }
@@ -198,7 +198,7 @@ TEST(ToolPose, KeepsItsHandNearTheAxisWhereSidesMeanNothing) {
     }
 }
 
-// A hand of a finger that went to the other side of the pot at once.
+// The guided hand of a finger that jumps to the other side of the pot.
 TEST(ToolPose, GoesAndComesAgainWhereAFingerLeapsAcrossTheClay) {
     ToolSight right = outside();
     right.guided = true;

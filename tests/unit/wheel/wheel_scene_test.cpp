@@ -48,7 +48,7 @@ TEST_F(TheWheelScene, PutsTheToolWhereTheHandIs) {
     EXPECT_TRUE(show(shown_).props.empty());
 }
 
-TEST_F(TheWheelScene, HasNobodysHandBesideAPotThatIsNoLongerWet) {
+TEST_F(TheWheelScene, HasNoHandBesideAPotThatIsNoLongerWet) {
     shown_.second_hand.shown = true;
     for (const clay::Firing stage : {clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze}) {
         pot_.stage = stage;

@@ -26,7 +26,7 @@ class WorkshopFiles : public testing::Test {
             fs::copy_file(kOurs / file, folder_ / file, fs::copy_options::overwrite_existing);
     }
 
-    // That a camera has some is all that is looked at at first.
+    // At first only the existence of a camera's photographs is checked.
     void put_photograph(const std::string& camera) {
         fs::create_directories(folder_ / "plates");
         std::ofstream(folder_ / "plates" / (camera + "_key.jpg")) << "a photograph";

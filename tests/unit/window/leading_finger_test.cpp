@@ -12,7 +12,7 @@ namespace {
 
 using Phase = Touch::Phase;
 
-// Fingers on a screen, and what a pointer would have done, in words: "at 10,20 down at 11,20 up".
+// Fingers on a screen, and the equivalent pointer events as text: "at 10,20 down at 11,20 up".
 class AScreen : public testing::Test {
   protected:
     void touch(Phase phase, std::uint32_t finger, double x, double y, std::uint32_t time_ms) {
@@ -41,7 +41,7 @@ TEST_F(AScreen, IsAPointerToOneFinger) {
     EXPECT_EQ(seen(), "at 50,60 down");
 }
 
-TEST_F(AScreen, LetsNobodyDisturbAFingerAtWork) {
+TEST_F(AScreen, IgnoresOtherFingersWhileOneMoves) {
     touch(Phase::kBegin, 1, 100, 100, 0);
     for (std::uint32_t step = 1; step <= 10; ++step)
         touch(Phase::kMove, 1, 100, 100 + 30.0 * step, 1000 * step);
@@ -54,7 +54,7 @@ TEST_F(AScreen, LetsNobodyDisturbAFingerAtWork) {
     EXPECT_EQ(seen(), "at 100,400 up");
 }
 
-TEST_F(AScreen, LetsAHandThatLiesStillKeepNobodyFromTheWheel) {
+TEST_F(AScreen, LetsANewFingerReplaceOneThatLiesStill) {
     touch(Phase::kBegin, 1, 3, 500, 0);
     for (std::uint32_t wander = 0; wander < 100; ++wander)
         touch(Phase::kMove, 1, 3.0 + wander % 5, 500, 100 * wander);
@@ -62,7 +62,7 @@ TEST_F(AScreen, LetsAHandThatLiesStillKeepNobodyFromTheWheel) {
     touch(Phase::kBegin, 2, 600, 300, 10000);
     EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down") << "nothing is pressed where it lies";
     touch(Phase::kMove, 1, 300, 500, 10010);
-    EXPECT_EQ(seen(), "") << "it is nobody now";
+    EXPECT_EQ(seen(), "") << "it is ignored now";
     touch(Phase::kEnd, 2, 600, 300, 10020);
     EXPECT_EQ(seen(), "at 600,300 up");
     touch(Phase::kMove, 1, 310, 500, 10030);
@@ -79,6 +79,26 @@ TEST_F(AScreen, WaitsBeforeItTakesAFingerForAHandThatLies) {
     EXPECT_EQ(seen(), "");
     touch(Phase::kBegin, 3, 600, 300, 2600);
     EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down");
+}
+
+TEST(PointerArrow, IsShownWhileAMouseIsMovedAndForNothingElse) {
+    PointerArrow arrow(false);
+    EXPECT_FALSE(arrow.is_shown(0.0)) << "a touch kiosk has none from the start";
+    arrow.moved(640.0, 360.0, 1.0);
+    EXPECT_FALSE(arrow.is_shown(1.0)) << "the display server has put it there";
+    for (int shake = 0; shake < 50; ++shake)
+        arrow.moved(640.0 + shake % 2 * 9.0, 360.0, 2.0 + 0.02 * shake);
+    EXPECT_FALSE(arrow.is_shown(3.0)) << "somebody bumped into the desk";
+    for (int step = 0; step < 5; ++step)
+        arrow.moved(640.0 + 10.0 * step, 360.0, 5.0 + 0.01 * step);
+    EXPECT_TRUE(arrow.is_shown(5.1));
+    EXPECT_TRUE(arrow.is_shown(20.0));
+    EXPECT_FALSE(arrow.is_shown(30.0)) << "left alone";
+    for (int step = 0; step < 5; ++step)
+        arrow.moved(640.0 - 10.0 * step, 360.0, 40.0 + 0.01 * step);
+    EXPECT_TRUE(arrow.is_shown(40.1));
+    arrow.touched();
+    EXPECT_FALSE(arrow.is_shown(40.2));
 }
 
 }  // namespace

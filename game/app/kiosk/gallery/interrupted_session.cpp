@@ -22,7 +22,7 @@ constexpr const char* kSpillFile = "left-over.onggi";
 
 struct Found {
     fs::path file;
-    std::optional<record::Session> session;  // none: it could not be read, or is not for this kiosk
+    std::optional<record::Session> session;  // empty: unreadable, or not for this kiosk
     [[nodiscard]] std::uint64_t ticks() const { return session ? session->tick_count() : 0; }
 };
 
@@ -58,7 +58,7 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
                                                              const haptic::HapticState& start,
                                                              const haptic::HapticParameters& parameters,
                                                              std::vector<std::string>& remarks) {
-    // More than one where it happened while one was being written anew: the longest has all of it.
+    // There are several files if the program died while it rewrote the journal: the longest is complete.
     Found longest;
     const FolderListing listing = list_folder(folder);
     if (!listing.is_whole()) remarks.push_back("interrupted visit: " + listing_trouble(folder, listing));
@@ -66,7 +66,7 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
     const std::vector<std::byte> start_bytes = haptic::start_state_bytes(start, parameters);
     std::error_code ignored;
     for (const fs::path& file : others) {
-        // Killed before its first block: nothing had been thrown.
+        // The program was killed before the first block, so nothing had been thrown.
         if (fs::file_size(file, ignored) < start_bytes.size()) continue;
         auto session = session_of(file, start, parameters, start_bytes);
         if (!session) {
@@ -74,14 +74,14 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
             continue;
         }
         if (!session->damage().empty()) {
-            remarks.push_back(fmt::format("interrupted visit: whole for {:.1f} s, then damaged: {}",
+            remarks.push_back(fmt::format("interrupted visit: intact for {:.1f} s, then damaged: {}",
                                           static_cast<double>(session->tick_count()) / parameters.rate_hz(),
                                           session->damage()));
         }
         if (session->tick_count() > longest.ticks()) longest = {file, std::move(*session)};
     }
     std::erase(others, longest.file);
-    // Where the disk does not tell of all, nothing leaves: what is hidden now may be the longest.
+    // Deletes nothing if the listing is incomplete: an unlisted file may be the longest.
     if (listing.is_whole()) {
         for (const fs::path& file : others)
             fs::remove(file, ignored);
@@ -117,8 +117,8 @@ Result<bool> InterruptedSession::work(int ticks) {
         const bool ends_block = played_ == block.first_tick + block.tick_count;
         if (ends_block && history_.state().hash() != block.state_hash) {
             return failed(
-                fmt::format("interrupted visit: dropped: at tick {} expected the clay it tells of, "
-                            "found another, as of another version of the program",
+                fmt::format("interrupted visit: dropped: at tick {} expected the recorded clay, found "
+                            "another, as from another version of the program",
                             played_));
         }
     }

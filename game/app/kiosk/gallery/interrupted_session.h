@@ -1,5 +1,5 @@
-// What an interrupted visit left on the disk (visit_journal.h), found when the program starts and worked out
-// again tick by tick. Any one thread at a time but the haptic one and the frame's; blocks.
+// Restores an interrupted visit from its file on the disk (visit_journal.h) when the program starts, by
+// replaying it tick by tick. Any one thread at a time but the haptic one and the frame's; blocks.
 #pragma once
 
 #include <cstdint>
@@ -20,33 +20,33 @@ class InterruptedSession {
     InterruptedSession(const InterruptedSession&) = delete;  // the cursor points into the session
     InterruptedSession& operator=(const InterruptedSession&) = delete;
 
-    // Looks for it, and puts it aside as FOLDER/left-over.onggi: new visits may be interrupted too. `start`
-    // is what this kiosk's lumps start from; a session of another clay or rate cannot go on here. `remarks`
-    // gets a line for all that was damaged or had to be dropped. Nothing there: nothing.
+    // Searches for the file and renames it to FOLDER/left-over.onggi, because new visits may be interrupted
+    // too. `start` is the start of this kiosk's lumps; a session of another clay or rate is refused. Appends
+    // a line to `remarks` for each damaged or dropped file. Returns null if there is no file.
     static std::unique_ptr<InterruptedSession> find(const std::filesystem::path& folder,
                                                     const haptic::HapticState& start,
                                                     const haptic::HapticParameters& parameters,
                                                     std::vector<std::string>& remarks);
 
-    // One session, as it was written, of a lump that starts so. kBadInput: it is none, or of another clay or
-    // rate.
+    // Reads one session that begins with the lump `start`. kBadInput: the file is no session, or of another
+    // clay or rate.
     static Result<std::unique_ptr<InterruptedSession>> read(const std::filesystem::path& file,
                                                             const haptic::HapticState& start,
                                                             const haptic::HapticParameters& parameters,
                                                             const std::filesystem::path& folder);
-    // Where the clay that starts so had not been touched yet.
+    // A session without ticks, for a lump that had not been touched.
     static std::unique_ptr<InterruptedSession> of_nothing(const haptic::HapticState& start,
                                                           const haptic::HapticParameters& parameters,
                                                           const std::filesystem::path& folder);
 
-    // Works out so many ticks more. True while there are more.
+    // Replays up to `ticks` more ticks. Returns true while there are more.
     Result<bool> work(int ticks);
-    // Whether anything was done to the clay; where nothing was, nobody misses it. After the last work().
+    // Whether the session changed the clay; otherwise it need not be restored. Valid after the last work().
     [[nodiscard]] bool is_worth_it() const { return !history_.moves().empty(); }
     [[nodiscard]] haptic::History& history() { return history_; }
-    // Of its file, for the log: how much there is.
+    // The session's duration, for the log.
     [[nodiscard]] double seconds() const { return seconds_; }
-    // Takes the file away: it goes on elsewhere, or nobody wants it.
+    // Deletes the file, when the visit continues in another or is not wanted.
     static void remove(const std::filesystem::path& folder) noexcept;
 
   private:
@@ -59,7 +59,7 @@ class InterruptedSession {
         seconds_ = static_cast<double>(session_->tick_count()) / session_->header().rate_hz;
     }
 
-    std::optional<record::Session> session_;  // until it is worked out: its bytes are many
+    std::optional<record::Session> session_;  // until it is replayed, to free its memory
     std::optional<record::SessionCursor> cursor_;
     double seconds_ = 0.0;
     haptic::History history_;

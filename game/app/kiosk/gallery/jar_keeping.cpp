@@ -46,13 +46,13 @@ Result<void> JarKeeping::note(JarStage stage) {
         {"shift_mm", {join_.shift_mm.x, join_.shift_mm.y}},
         {"mouth_mm",
          join_.mouth_mm}}.dump();
-    std::error_code ignored;  // write_file_atomically() says what is wrong
+    std::error_code ignored;  // write_file_atomically() reports the error
     std::filesystem::create_directories(folder_, ignored);
     return files::write_file_atomically(note_place(), std::as_bytes(std::span(text)));
 }
 
 Result<void> JarKeeping::save(const haptic::History& history, int bowl) const {
-    std::error_code ignored;  // the session says what is wrong
+    std::error_code ignored;  // writing the session reports the error
     std::filesystem::create_directories(folder_, ignored);
     return history.is_whole() ? history.save(session_place(bowl)) : history.save_outcome(session_place(bowl));
 }
@@ -87,7 +87,7 @@ Result<haptic::History> JarKeeping::join(haptic::History& second, const JarJoin&
     return haptic::History(haptic::HapticState(std::move(*jar)), parameters_, {.aside = folder_});
 }
 
-// Its session stays on the disk until the journal of what goes on has caught up, or another takes its place.
+// Its session stays on the disk until the new journal has caught up, or another replaces it.
 haptic::History JarKeeping::take_back() {
     std::unique_ptr<haptic::History>& newest = second_ ? second_ : first_;
     haptic::History back(std::move(*newest));

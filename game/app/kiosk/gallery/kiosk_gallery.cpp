@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The number in "pot-014"; 0 for any other name.
+// Returns the number in "pot-014", or 0 for any other name.
 int number_of(const std::string& name) {
     constexpr std::string_view kPrefix = "pot-";
     if (!name.starts_with(kPrefix)) return 0;
@@ -81,7 +81,7 @@ double free_mb_at(const fs::path& folder) {
 
 std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
     struct Aged {
-        std::pair<std::string, int> age;  // day, and number of the day
+        std::pair<std::string, int> age;  // day, number within the day
         fs::path folder;
     };
     std::vector<Aged> found;
@@ -111,12 +111,15 @@ Result<void> Gallery::remove(const KeptPot& pot) {
     return files::take_away_folder(pot.folder);
 }
 
-// The oldest leave first; never the newcomer, whose day may be wrong by the machine's clock.
-void Gallery::make_room(const fs::path& newcomer) {
+// Deletes the oldest pots first, but never the new one. A day after today was recorded before the clock went
+// back, so its pots are older than all others.
+void Gallery::make_room(const fs::path& newcomer, const std::string& today) {
     std::string trouble;
     std::vector<KeptPot> all = pots(&trouble);
-    if (!trouble.empty()) return;  // nobody knows which are the oldest
+    if (!trouble.empty()) return;  // the oldest ones are unknown
     std::erase_if(all, [&](const KeptPot& pot) { return pot.folder == newcomer; });
+    std::stable_partition(all.begin(), all.end(),
+                          [&](const KeptPot& pot) { return pot.folder.parent_path().filename() <= today; });
     while (all.size() >= static_cast<std::size_t>(most_pots_)) {
         static_cast<void>(remove(all.back()));
         all.pop_back();
@@ -137,7 +140,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     for (const fs::path& entry : list_folder(folder_ / today).entries)
         number = std::max(number, number_of(entry.filename().string()) + 1);
     const auto place_of = [&] { return folder_ / today / fmt::format("pot-{:03}", number); };
-    // A disk that fails may not have told of them all.
+    // A failing disk may have listed only some of them.
     while (fs::exists(place_of(), error))
         ++number;
 
@@ -162,7 +165,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             return written.error();
     }
     {
-        // First, so that its pixels are gone before the other solids are made.
+        // Made first, so that its pixels are freed before the other solids are made.
         const asset::Image portrait = straight_picture(std::move(pot.portrait));
         if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
         if (auto written =
@@ -178,7 +181,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();
-    make_room(place);  // not before: a pot that cannot be kept costs no other its place
+    make_room(place, today);  // only now: a pot that cannot be kept deletes no other
     return number;
 }
 

@@ -9,7 +9,7 @@ namespace onggi::app {
 namespace {
 
 constexpr std::int64_t kSyncEveryNs = 1'000'000'000;
-// About 5 ms of writing: an undo writes minutes of ticks again, and somebody may wait for the thread.
+// About 5 ms of writing: an undo rewrites minutes of ticks, and other jobs of the thread may be waiting.
 constexpr std::size_t kMostTicksACall = 40'000;
 
 }  // namespace
@@ -17,11 +17,11 @@ constexpr std::size_t kMostTicksACall = 40'000;
 Result<void> VisitJournal::give_up(const Error& error) {
     drop();
     gave_up_ = true;
-    return Error{error.kind, "journal: this visit could not be picked up again: " + error.message};
+    return Error{error.kind, "journal: this visit cannot be resumed: " + error.message};
 }
 
 Result<void> VisitJournal::begin(const haptic::History& history) {
-    // A fresh lump: the pot before it was thrown away, and must not come back.
+    // A fresh lump: the previous pot was discarded and must not be restored.
     if (history.ticks() <= record::kHashInterval) written_.reset();
     next_.reset();
     std::error_code error;
@@ -47,13 +47,13 @@ Result<void> VisitJournal::follow(const haptic::History& history, std::int64_t n
     synced_ns_ = now_ns;
     if (auto synced = writer.sync(); !synced) return give_up(synced.error());
     if (!arrived) return {};
-    written_ = std::move(*next_);  // which takes the older file away
+    written_ = std::move(*next_);  // which deletes the older file
     next_.reset();
     return {};
 }
 
 std::filesystem::path VisitJournal::file() const {
-    // While the newer one has not caught up, the older tells more.
+    // Until the newer file has caught up, the older one is longer.
     const auto& longer = written_ ? written_ : next_;
     return longer ? longer->beside() : std::filesystem::path();
 }
@@ -66,7 +66,7 @@ void VisitJournal::drop() noexcept {
 }
 
 Result<void> VisitJournal::leave() {
-    // While the newer one has not caught up, the older tells more.
+    // Until the newer file has caught up, the older one is longer.
     auto& longer = written_ ? written_ : next_;
     Result<void> left;
     if (longer) left = longer->leave();

@@ -1,6 +1,6 @@
-// The visit in progress, on the disk while it goes on, so that a crash or a power cut leaves the pot behind:
-// a session (engine/record) that grows block by block and is synced once a second. Any one thread at a time
-// but the haptic one and the frame's; blocks.
+// Writes the visit in progress to the disk, so that a crash or a power cut does not lose the pot: a session
+// (engine/record) that grows block by block and is synced once a second. Any one thread at a time but the
+// haptic one and the frame's; blocks.
 #pragma once
 
 #include <cstdint>
@@ -18,21 +18,21 @@ constexpr std::size_t kMostSessionBytes = std::size_t{400} << 20U;
 
 class VisitJournal {
   public:
-    // Its files are FOLDER/visit-N.onggi, with .part behind while they grow. The folder is made when it is
+    // Its files are FOLDER/visit-N.onggi, with the suffix .part while they grow. Creates the folder when
     // needed.
     explicit VisitJournal(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // Writes what the history has got since the last call, or begins anew where it went another way. What was
-    // written before stays until the new one has caught up. now_ns: of any clock that goes on. After a
-    // failure, a full disk among them, nothing more is tried until drop().
+    // Writes the history's ticks since the last call, or begins a new file after an undo. The old file stays
+    // until the new one has caught up. now_ns is of any monotonic clock. After a failure, such as a full
+    // disk, it does nothing until drop().
     Result<void> follow(const haptic::History& history, std::int64_t now_ns);
-    // Whether all that the history had at the last follow() is written, but for a block in the making.
+    // Whether the history of the last follow() is written, except for an incomplete block.
     [[nodiscard]] bool has_caught_up() const { return written_ && !next_; }
-    // The file that tells most of the visit; empty: there is none.
+    // The file with the longest part of the visit, or empty.
     [[nodiscard]] std::filesystem::path file() const;
-    // The visit is over, or its pot is on the shelf: nothing of it stays.
+    // Deletes the files, when the visit is over or its pot is on the shelf.
     void drop() noexcept;
-    // The program ends while the visit goes on: what is written stays, but for a block in the making.
+    // Keeps the files, except for an incomplete block, when the program ends during the visit.
     Result<void> leave();
 
   private:
@@ -41,8 +41,8 @@ class VisitJournal {
 
     std::filesystem::path folder_;
     std::optional<record::SessionWriter> written_;
-    std::optional<record::SessionWriter> next_;  // takes the place of written_ when it has caught up
-    std::optional<std::uint64_t> lineage_;       // of the history that is written now
+    std::optional<record::SessionWriter> next_;  // replaces written_ when it has caught up
+    std::optional<std::uint64_t> lineage_;       // of the history being written
     int number_ = 0;
     std::int64_t synced_ns_ = 0;
     bool gave_up_ = false;

@@ -10,7 +10,9 @@
 
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/finish/glaze.h"
+#include "game/sharing/kept_note.h"
 
 namespace onggi::app {
 namespace {
@@ -19,7 +21,7 @@ using nlohmann::json;
 
 constexpr int kFormat = 1;
 constexpr std::size_t kMostBytes = 4'000'000;
-constexpr std::size_t kMostPoints = 4096;  // of a wall's side
+constexpr std::size_t kMostPoints = 4096;  // of one side of a pot's wall
 constexpr double kMostMm = 1000.0;
 
 json json_of(const std::vector<vec2>& points) {
@@ -29,7 +31,7 @@ json json_of(const std::vector<vec2>& points) {
     return list;
 }
 
-// Throws json::exception, or out_of_range by at(), where it is none.
+// Throws json::exception, or out_of_range from at(), for anything but a list of points.
 std::vector<vec2> points_of(const json& list) {
     std::vector<vec2> points;
     for (const json& pair : list) {
@@ -72,13 +74,14 @@ Result<void> WallOfTheDay::open(const std::string& today) {
     if (!text) return text.error();
     try {
         const json wall = json::parse(*text);
-        // The first walls said no format.
+        // The first files have no format field.
         if (const int format = wall.value("format", kFormat); format != kFormat) {
             return bad_input(
                 fmt::format("{}: expected a wall of format {}, found {}", file_.string(), kFormat, format));
         }
         day_on_disk_ = wall.at("day").get<std::string>();
-        if (day_on_disk_ == today) pots_ = pots_of(wall.at("pots"));
+        if (today < day_of(sharing::kClockIsSetS)) day_ = std::max(today, day_on_disk_);
+        if (day_on_disk_ == day_) pots_ = pots_of(wall.at("pots"));
     } catch (const json::exception& error) {
         return bad_input(
             fmt::format("{}: expected the pots of a wall, found: {}", file_.string(), error.what()));
@@ -115,7 +118,7 @@ Result<void> WallOfTheDay::write() const {
                         {"inside", json_of(pot.shape.inside)}});
     }
     const std::string text = json{{"format", kFormat}, {"day", day_}, {"pots", std::move(pots)}}.dump();
-    std::error_code ignored;  // write_file_atomically() says what is wrong
+    std::error_code ignored;  // write_file_atomically() reports the error
     std::filesystem::create_directories(file_.parent_path(), ignored);
     return files::write_file_atomically(file_, std::as_bytes(std::span(text)));
 }

@@ -1,6 +1,6 @@
-// The wall of the day: pots that their makers have put there for all to see, without a name, until the museum
-// closes. On the disk, so that a start in the middle of a day loses none. Any one thread at a time but the
-// haptic one and the frame's; blocks.
+// The wall of the day: pots that their makers show to everyone, without a name, until the museum closes.
+// Stored on the disk, so that a restart loses none. Any one thread at a time but the haptic one and the
+// frame's; blocks.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,27 @@
 namespace onggi::app {
 
 struct WallPot {
-    std::string gallery_name;  // "2026-11-21/pot-014": by which it is taken down
-    int glaze = 0;             // as finish::glaze_at() counts
+    std::string gallery_name;  // "2026-11-21/pot-014": identifies the pot for removal
+    int glaze = 0;             // index for finish::glaze_at()
     pot::Section shape;
 };
 
 class WallOfTheDay {
   public:
-    static constexpr std::size_t kMostPots = 27;  // the oldest leave first
+    static constexpr std::size_t kMostPots = 27;  // beyond that the oldest are removed
 
     explicit WallOfTheDay(std::filesystem::path file) : file_(std::move(file)) {}
 
-    // What is on the disk of that day; of another day, nothing. Bad input: the file is damaged; the wall is
-    // empty then, and the next pot that is put there writes it anew.
+    // Reads that day's wall from the disk; the wall is empty if the file is of another day. Until the
+    // machine's clock is set, the day on the disk continues. Bad input: the file is damaged; the wall is then
+    // empty, and the next put() replaces the file.
     Result<void> open(const std::string& today);
-    // It is another day by the machine's clock, whichever way that went: what is on the disk of that day. A
-    // day that is over leaves the disk; one to come stays there, for a clock that will be set right.
+    // Switches to another day of the machine's clock, which may have gone forwards or back, and reads that
+    // day's wall from the disk. Deletes a past day's file, but keeps a future day's, because the clock may be
+    // corrected.
     Result<void> turn_to(const std::string& today);
-    // Once each. The errors of these three: the disk does not take it. What was changed is changed.
+    // Puts each pot only once. Errors of these three functions: the disk's; the wall in memory changes all
+    // the same.
     Result<void> put(WallPot pot, const std::string& today);
     Result<void> take(const std::string& gallery_name);
     Result<void> clear();
@@ -44,7 +47,7 @@ class WallOfTheDay {
 
     std::filesystem::path file_;
     std::string day_;
-    std::string day_on_disk_;  // as open() found it
+    std::string day_on_disk_;  // read by open()
     std::vector<WallPot> pots_;
 };
 

@@ -33,13 +33,13 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostNoteBytes = std::size_t{64} << 10U;
 
-// Who may not look is told so, instead of finding an empty gallery.
+// Returns an error if the folder may not be read, instead of counting an empty gallery.
 Result<void> may_look_into(const fs::path& folder) {
     if (::access(folder.c_str(), R_OK | X_OK) == 0 || errno == ENOENT) return {};
     const int error = errno;
-    return system_lacks(fmt::format(
-        "{}: expected to look into it, found: {}; as root, or a user of the group that owns it, one can",
-        shown_path(folder.native()), std::strerror(error)));
+    return system_lacks(
+        fmt::format("{}: expected permission to read it, found: {}; root and users of its group have it",
+                    shown_path(folder.native()), std::strerror(error)));
 }
 
 std::vector<HouseStatus::Fault> newest_faults(const fs::path& folder) {
@@ -63,7 +63,7 @@ HouseStatus::State state_of(const HouseStatus& status, const StartLog& starts) {
     using State = HouseStatus::State;
     if (!status.note) return State::kNeverStarted;
     if (status.note->has_ended) return starts.is_running ? State::kFell : State::kEnded;
-    // A clock that was put back makes heartbeats of the future, until the next one.
+    // After the clock was set back, the last heartbeat is in the future until the next one.
     const bool is_fresh =
         status.age_s() <= HouseStatus::kSilentAfterS && status.age_s() >= -HouseStatus::kSilentAfterS;
     return is_fresh ? State::kRunning : State::kSilent;
@@ -83,12 +83,12 @@ std::vector<std::string> complaints_of(const HouseStatus& status, double least_f
             complaints.emplace_back("it was ended");
             break;
         case State::kFell:
-            complaints.emplace_back("it ended with an error, or died");
+            complaints.emplace_back("it ended with an error or crashed");
             break;
         case State::kRunning: {
             const StatusNote& note = *status.note;
-            if (!note.picture_moves) complaints.emplace_back("the picture stands still");
-            if (!note.hand_turns) complaints.emplace_back("the hand's loop stands still");
+            if (!note.picture_moves) complaints.emplace_back("the picture hangs");
+            if (!note.hand_turns) complaints.emplace_back("the haptic loop hangs");
             if (!note.pulse.fault.empty()) complaints.push_back("no force: " + note.pulse.fault);
             if (note.pulse.is_safe_mode) complaints.emplace_back("safe mode: no devices, a plain picture");
             break;
@@ -96,8 +96,8 @@ std::vector<std::string> complaints_of(const HouseStatus& status, double least_f
     }
     if (status.free_mb < least_free_mb) {
         complaints.push_back(
-            fmt::format("no pot is kept: {:.0f} MB of the disk are free, {:.0f} are left alone",
-                        status.free_mb, least_free_mb));
+            fmt::format("no pot is kept: {:.0f} MB of the disk are free, {:.0f} are reserved", status.free_mb,
+                        least_free_mb));
     }
     return complaints;
 }
@@ -220,8 +220,8 @@ std::string lines_of(const HouseStatus& status) {
     line("state", name_of(status.state));
     if (const auto& note = status.note) {
         line("heartbeat", fmt::format("{}, {} s ago", moment(note->at_s), status.age_s()));
-        line("program",
-             fmt::format("{}, for {:.0f} s, {} falls lately", note->version, note->running_s, status.falls));
+        line("program", fmt::format("{}, for {:.0f} s, {} crashes lately", note->version, note->running_s,
+                                    status.falls));
         line("screen", note->pulse.screen + (note->pulse.is_closed ? ", closed" : ""));
         line("picture", fmt::format("{:.1f} ms a frame, {:.1f} at worst", note->pulse.frame_ms,
                                     note->pulse.worst_frame_ms));
@@ -287,26 +287,26 @@ std::string metrics_of(const HouseStatus& status) {
     const UseOfHour use = status.use.total();
     Metrics metrics;
     metrics.information(
-        "Which wheel this is.",
+        "Name and version of the kiosk.",
         fmt::format(R"(name="{}",version="{}")", label(status.name),
                     label(status.note ? std::string_view(status.note->version) : std::string_view())));
     metrics.gauge("up", "Whether the kiosk runs.", status.state == HouseStatus::State::kRunning ? 1 : 0);
-    metrics.gauge("well", "Whether nothing is to be said against it.", status.is_well() ? 1 : 0);
+    metrics.gauge("well", "Whether the kiosk is healthy.", status.is_well() ? 1 : 0);
     if (const auto& note = status.note) {
         const KioskPulse& pulse = note->pulse;
-        metrics.gauge("heartbeat_timestamp_seconds", "When it was well last, since 1970.",
+        metrics.gauge("heartbeat_timestamp_seconds", "Time of the last heartbeat, since 1970.",
                       static_cast<double>(note->at_s));
         metrics.gauge("start_timestamp_seconds", "When the program was started, since 1970.",
                       static_cast<double>(note->at_s) - note->running_s);
-        metrics.gauge("safe_mode", "Whether it has fallen too often.", pulse.is_safe_mode ? 1 : 0);
-        metrics.gauge("force_fault", "Whether a fault takes the force away.", pulse.fault.empty() ? 0 : 1);
+        metrics.gauge("safe_mode", "Whether the kiosk is in safe mode.", pulse.is_safe_mode ? 1 : 0);
+        metrics.gauge("force_fault", "Whether a fault removes the force.", pulse.fault.empty() ? 0 : 1);
         metrics.counter("force_faults_total", "Faults of the force since the start.",
                         static_cast<double>(pulse.faults));
         metrics.gauge("haptic_rate_hertz", "Ticks a second.", pulse.achieved_hz);
-        metrics.gauge("haptic_asked_rate_hertz", "Ticks a second as they should be.", pulse.asked_hz);
+        metrics.gauge("haptic_asked_rate_hertz", "Wanted ticks a second.", pulse.asked_hz);
         metrics.counter("haptic_late_periods_total", "Ticks that were late, since the start.",
                         static_cast<double>(pulse.late_periods));
-        metrics.counter("haptic_skipped_periods_total", "Ticks that were left out, since the start.",
+        metrics.counter("haptic_skipped_periods_total", "Skipped ticks, since the start.",
                         static_cast<double>(pulse.skipped_periods));
         metrics.gauge("frame_seconds", "Mean time between two frames.", pulse.frame_ms / kMsPerS);
         metrics.gauge("frame_worst_seconds", "Longest time between two frames, of ten seconds.",
@@ -314,19 +314,19 @@ std::string metrics_of(const HouseStatus& status) {
         metrics.counter("frames_total", "Frames shown since the start.",
                         static_cast<double>(pulse.frames_shown));
         if (note->celsius)
-            metrics.gauge("temperature_celsius", "Of the machine's hottest place.", *note->celsius);
+            metrics.gauge("temperature_celsius", "The machine's highest temperature.", *note->celsius);
         if (note->resident_mb)
             metrics.gauge("resident_memory_bytes", "Memory of the kiosk.",
                           *note->resident_mb * kiosk::kBytesPerMb);
     }
-    metrics.gauge("falls", "Falls of the program within ten minutes.", status.falls);
-    metrics.gauge("disk_free_bytes", "Where pots are kept.", status.free_mb * kiosk::kBytesPerMb);
+    metrics.gauge("falls", "Crashes of the program within ten minutes.", status.falls);
+    metrics.gauge("disk_free_bytes", "Free space on the disk of the pots.",
+                  status.free_mb * kiosk::kBytesPerMb);
     metrics.gauge("pots", "Pots in the gallery.", static_cast<double>(status.pots));
     metrics.gauge("visits_today", "Visits that ended today.", use.visits);
-    metrics.gauge("visits_thrown_today", "Those of them with clay on the wheel.", use.thrown);
+    metrics.gauge("visits_thrown_today", "Visits today with clay on the wheel.", use.thrown);
     metrics.gauge("pots_kept_today", "Pots kept today.", use.kept);
-    metrics.gauge("dwell_today_seconds", "Time of today's visits, all together.",
-                  static_cast<double>(use.dwell_s));
+    metrics.gauge("dwell_today_seconds", "Total time of today's visits.", static_cast<double>(use.dwell_s));
     metrics.gauge("starts_today", "Starts of the program today.", status.use.starts);
     return metrics.text();
 }
@@ -360,7 +360,7 @@ Result<void> KioskHeartbeat::end_after_fall(std::int64_t now_s) {
 }
 
 Result<void> KioskHeartbeat::write(std::int64_t now_s) {
-    std::error_code ignored;  // write_file_atomically() says what is wrong
+    std::error_code ignored;  // write_file_atomically() reports the error
     const std::filesystem::path file = status_file(config_.gallery.folder);
     std::filesystem::create_directories(file.parent_path(), ignored);
     Result<void> written = files::write_file_atomically(file, text_of(*note_));
@@ -376,7 +376,8 @@ Result<void> KioskHeartbeat::write_metrics(std::int64_t now_s) {
     if (!status) return status.error();
     const std::filesystem::path file = std::filesystem::path(config_.staff.metrics_folder) / kMetricsFile;
     if (auto written = files::write_file_atomically(file, metrics_of(*status)); !written) return written;
-    // Its reader is another user, whatever the umask; what is there already keeps what it has.
+    // Another user reads the file, so it must be readable whatever the umask; an existing file keeps its
+    // permissions.
     using std::filesystem::perms;
     std::error_code error;
     std::filesystem::permissions(

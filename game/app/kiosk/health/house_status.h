@@ -1,5 +1,5 @@
-// How a wheel fares, by what lies on its disk alone: for the house's monitoring, which asks while the wheel
-// runs, when it is down, and as another user. Any thread but the haptic one and the frame's; reads files and
+// The state of a kiosk, from its files only: for the museum's monitoring, which reads it while the kiosk
+// runs, while it is down, and as another user. Any thread but the haptic one and the frame's; reads files and
 // changes none.
 #pragma once
 
@@ -18,22 +18,22 @@ namespace onggi::app {
 
 struct HouseStatus {
     enum class State {
-        kNeverStarted,  // no heartbeat lies there
+        kNeverStarted,  // there is no heartbeat
         kRunning,
         kSilent,  // no heartbeat for kSilentAfterS: it hangs, or was cut off with its supervisor
-        kEnded,   // as was meant
-        kFell,    // it ended with an error, or died and its supervisor said so
+        kEnded,   // intentionally
+        kFell,    // it ended with an error, or its supervisor reported a crash
     };
     struct Fault {
-        std::filesystem::path session;  // which `onggi replay` works out again
+        std::filesystem::path session;  // for `onggi replay`
         std::int64_t at_s = 0;
     };
-    static constexpr std::int64_t kSilentAfterS = 150;  // two heartbeats and a half
+    static constexpr std::int64_t kSilentAfterS = 150;  // 2.5 heartbeats
     static constexpr std::size_t kMostFaults = 5;
 
     std::string name{};  // of the unit
     State state = State::kNeverStarted;
-    std::vector<std::string> why_not_well{};  // empty: well
+    std::vector<std::string> why_not_well{};  // empty if well
     std::optional<StatusNote> note{};         // the last heartbeat
     std::int64_t now_s = 0;
     int falls = 0;  // of the program, within ten minutes
@@ -49,37 +49,37 @@ struct HouseStatus {
 
 [[nodiscard]] const char* name_of(HouseStatus::State state);
 
-// Of the wheel with these settings, at that time. System lacks: what lies there may not be read.
+// The state of the kiosk with these settings, at that time. System lacks: its files may not be read.
 [[nodiscard]] Result<HouseStatus> look_at_house(const kiosk::Config& config, std::int64_t now_s);
 
-// A line a fact; one JSON object; and Prometheus' text format, version 0.0.4, for the textfile collector of
-// node_exporter.
+// lines_of(): one line per fact. json_of(): one JSON object. metrics_of(): Prometheus' text format, version
+// 0.0.4, for the textfile collector of node_exporter.
 [[nodiscard]] std::string lines_of(const HouseStatus& status);
 [[nodiscard]] std::string json_of(const HouseStatus& status);
 [[nodiscard]] std::string metrics_of(const HouseStatus& status);
 
-// Where faults and crashes are kept as sessions.
+// The folder of the sessions of faults and crashes.
 [[nodiscard]] inline std::filesystem::path faults_folder(const std::filesystem::path& gallery) {
     return gallery / "faults";
 }
 [[nodiscard]] std::filesystem::path status_file(const std::filesystem::path& gallery);
-// The heartbeat that lies there; nothing: none does. Errors: of reading it.
+// Reads the heartbeat. Returns nothing if there is none. Errors: as for reading the file.
 [[nodiscard]] Result<std::optional<StatusNote>> read_status_note_of(const std::filesystem::path& gallery);
 
-// Writes what the house's monitoring reads: the heartbeat beside the visit in progress, and metrics where the
-// settings name a folder for them. The keeper's thread; blocks.
+// Writes the files for the museum's monitoring: the heartbeat beside the visit in progress, and metrics if
+// the settings name a folder for them. The keeper's thread; blocks.
 class KioskHeartbeat {
   public:
     static constexpr double kEveryS = 60.0;
 
     explicit KioskHeartbeat(kiosk::Config config) : config_(std::move(config)) {}
 
-    // Both files anew, each whole or as it was. An error is told once, until there is another or none.
+    // Rewrites both files atomically. Reports an error once, until it changes or goes away.
     Result<void> beat(const KioskPulse& pulse, std::int64_t now_s);
-    // The program ends; nothing where it had not begun.
+    // Records the program's end; has no effect before the first beat.
     Result<void> end(std::int64_t now_s);
-    // For a supervisor, after the death of its child, which could not say so itself; nothing where it had
-    // said so or had not begun.
+    // Records a crash, for a supervisor after the death of its child; has no effect if the child had recorded
+    // its end or had not begun.
     Result<void> end_after_fall(std::int64_t now_s);
 
   private:
@@ -88,7 +88,7 @@ class KioskHeartbeat {
 
     kiosk::Config config_;
     std::optional<StatusNote> note_;
-    std::string told_;  // what went wrong last
+    std::string told_;  // the last error
 };
 
 }  // namespace onggi::app

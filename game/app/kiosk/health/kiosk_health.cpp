@@ -12,7 +12,7 @@ void HealthMeter::see(double now_s, double frame_ms, double device_ms, std::uint
     const auto number = static_cast<std::int64_t>(std::floor(now_s / kBinS));
     const auto at = [&](std::int64_t bin) -> Bin& { return bins_[static_cast<std::size_t>(bin) % kBins]; };
     if (newest_ < 0) newest_ = number;
-    // A frame that took longer than a bin fills those that it passed over: a standstill is seen as one.
+    // A frame longer than a bin fills all bins that it spans, so that a standstill is visible.
     for (std::int64_t bin = std::max(newest_ + 1, number - static_cast<std::int64_t>(kBins) + 1);
          bin < number; ++bin)
         at(bin) = {.worst_ms = frame_ms};
@@ -64,7 +64,7 @@ screens::FramePlot HealthMeter::plot() const {
 
 std::optional<double> hottest_celsius(const std::filesystem::path& zones) {
     constexpr double kMilliCelsius = 1e3;
-    // A sensor that is broken says nonsense.
+    // Ignores the values of a broken sensor.
     constexpr double kLeast = -60.0;
     constexpr double kMost = 200.0;
     std::optional<double> hottest;

@@ -1,5 +1,5 @@
-// How a kiosk fares, measured: the haptic loop's rate and the frames' times of the last ten seconds, seen
-// frame by frame; the machine's temperature. Main thread, but for the temperature: any, it blocks.
+// Measures the kiosk's health: the haptic loop's rate and the frame times of the last ten seconds, and the
+// machine's temperature. Main thread; the temperature: any thread, blocks.
 #pragma once
 
 #include <array>
@@ -13,16 +13,17 @@ namespace onggi::app {
 
 class HealthMeter {
   public:
-    // Once a frame: the time since the one before, what the device took for the one before that (0: not
-    // measured), and how many periods the haptic loop has done since its start. now_s: of a monotonic clock.
+    // Call it once a frame with the time since the last frame, the device's time for the frame before that
+    // (0: not measured), and the number of periods of the haptic loop since its start. now_s is of a
+    // monotonic clock.
     void see(double now_s, double frame_ms, double device_ms, std::uint64_t periods);
 
-    // Ticks a second over the last second or two; 0 before there is one.
+    // Ticks per second over the last second or two; 0 before the first measurement.
     [[nodiscard]] double achieved_hz() const { return achieved_hz_; }
     // Over the last ten seconds.
     [[nodiscard]] double mean_frame_ms() const;
     [[nodiscard]] double worst_frame_ms() const;
-    // The worst of each tenth of a second, the oldest first.
+    // The longest frame of each tenth of a second, oldest first.
     [[nodiscard]] screens::FramePlot plot() const;
 
   private:
@@ -36,14 +37,14 @@ class HealthMeter {
     };
 
     std::array<Bin, kBins> bins_{};
-    std::int64_t newest_ = -1;  // number of the bin of now, since the clock's zero
-    double rated_s_ = 0.0;      // since when the rate is counted
+    std::int64_t newest_ = -1;  // number of the present bin, since the clock's zero
+    double rated_s_ = 0.0;      // start of the rate's measurement
     std::uint64_t rated_periods_ = 0;
     bool has_start_ = false;
     double achieved_hz_ = 0.0;
 };
 
-// Of the hottest place that the kernel knows, degrees Celsius; none where it knows none.
+// The temperature of the hottest sensor of the kernel, degrees Celsius, or nothing without a sensor.
 [[nodiscard]] std::optional<double> hottest_celsius(
     const std::filesystem::path& zones = "/sys/class/thermal");
 

@@ -22,9 +22,9 @@ constexpr const char* kVisits = "visits.csv";
 constexpr const char* kBreaks = "attract_breaks.csv";
 constexpr const char* kStarts = "starts.csv";
 constexpr const char* kPhones = "phones.csv";
-constexpr int kMostKept = 1000;  // in one visit; more no hand of this program wrote
+constexpr int kMostKept = 1000;  // per visit; this program never writes more
 
-// A line that begins with the day and the hour; `rest` follows.
+// Appends a line of the day, the hour and `rest`.
 Result<void> append(const fs::path& folder, const char* name, std::string_view header, std::string_view rest,
                     std::int64_t now_s) {
     std::error_code error;
@@ -39,8 +39,8 @@ std::optional<int> number_of(std::string_view cell) {
     return number && *number >= 0 ? number : std::nullopt;
 }
 
-// Calls take(hour, cells) for every line of that day that has as many cells as the file's first line, or as
-// many as are written today.
+// Calls take(hour, cells) for every line of that day with as many cells as the file's first line or as
+// `cell_count`, the present number.
 template <typename Take>
 void for_each_line(const fs::path& file, const std::string& day, std::size_t cell_count, const Take& take) {
     std::ifstream stream(file);
@@ -100,7 +100,7 @@ UseOfDay use_of(const fs::path& folder, const std::string& day) {
     UseOfDay use;
     for_each_line(folder / kBreaks, day, 2, [&](std::size_t hour, const auto&) { ++use.hours[hour].breaks; });
     for_each_line(folder / kStarts, day, 2, [&](std::size_t, const auto&) { ++use.starts; });
-    // The first visits were written without `thrown`: of them, those that kept a pot had thrown one.
+    // Old files have no `thrown`; visits in them that kept a pot count as thrown.
     const auto take_visit = [&](std::size_t hour, const auto& cells) {
         if (cells.size() < 5) return;
         const auto dwell_s = number_of(cells[2]);

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-// The end of the year 9999: what can still be said as a date.
+// The end of the year 9999, the last date that can be formatted.
 constexpr std::int64_t kLastS = 253'402'300'799;
 
 std::optional<double> number_or_none(const json& value) {

@@ -1,5 +1,5 @@
-// What a kiosk leaves on the disk once a minute for whoever looks after it from afar: its heartbeat, as JSON
-// in FOLDER/state/status.json. Pure but for the clock's numbers that are given; any thread.
+// The kiosk's heartbeat, which it writes once a minute for remote monitoring, as JSON in
+// FOLDER/state/status.json. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace onggi::app {
 
-// What the main thread knows of the program at a moment.
+// The main thread's view of the program's state.
 struct KioskPulse {
-    std::string screen{};               // as kiosk::name_of() says it
-    bool is_closed = false;             // the opening hours are over, and nobody is there
-    std::string fault{};                // latched by the safety chain, in words; empty: none
+    std::string screen{};               // of kiosk::name_of()
+    bool is_closed = false;             // the opening hours are over, and there is no visitor
+    std::string fault{};                // latched by the safety chain, in words; may be empty
     std::uint64_t faults = 0;           // since the start
     double asked_hz = 0.0;              // of the haptic loop
-    double achieved_hz = 0.0;           // 0: not known yet
-    std::uint64_t skipped_periods = 0;  // since the start, as late_periods
+    double achieved_hz = 0.0;           // 0: not measured yet
+    std::uint64_t skipped_periods = 0;  // since the start, like late_periods
     std::uint64_t late_periods = 0;
-    double frame_ms = 0.0;  // between two frames, of the last seconds
+    double frame_ms = 0.0;  // between two frames, mean of the last seconds
     double worst_frame_ms = 0.0;
     std::uint64_t frames_shown = 0;  // since the start
-    std::uint64_t haptic_ticks = 0;  // any number that is another one after a tick
+    std::uint64_t haptic_ticks = 0;  // any number that changes with a tick
     bool is_safe_mode = false;
 
     friend bool operator==(const KioskPulse&, const KioskPulse&) = default;
@@ -33,11 +33,11 @@ struct KioskPulse {
 struct StatusNote {
     static constexpr int kFormat = 1;
 
-    std::int64_t at_s = 0;      // of the machine's clock since 1970, when it was written
-    bool has_ended = false;     // as was meant, or by an error that was said
+    std::int64_t at_s = 0;      // time of writing, by the machine's clock, since 1970
+    bool has_ended = false;     // intentionally, or by a reported error
     double running_s = 0.0;     // since the program's start
-    bool picture_moves = true;  // frames were shown since the note before
-    bool hand_turns = true;     // likewise the haptic loop
+    bool picture_moves = true;  // frames were shown since the last note
+    bool hand_turns = true;     // the same for ticks of the haptic loop
     std::string version{};
     KioskPulse pulse{};
     std::optional<double> celsius{};
@@ -47,8 +47,7 @@ struct StatusNote {
 };
 
 [[nodiscard]] std::string text_of(const StatusNote& note);
-// Fields that are not known are passed over. Bad input: `file`, what was expected, what was found; also for
-// a later format.
+// Ignores unknown fields. Bad input: `file`, what was expected, what was found; also for a later format.
 [[nodiscard]] Result<StatusNote> read_status_note(std::string_view text, const std::string& file);
 
 }  // namespace onggi::app

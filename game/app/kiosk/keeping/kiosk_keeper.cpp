@@ -104,8 +104,7 @@ bool KioskKeeper::follow() {
         // What cannot be kept is no reason to stop the wheel.
         const auto report = faults_.look(record, history_);
         if (report && *report)
-            complain(
-                fmt::format("fault: kept as {}, which onggi replay works out again", (*report)->string()));
+            complain(fmt::format("fault: session kept as {}, for onggi replay", (*report)->string()));
     }
     return true;
 }
@@ -132,7 +131,7 @@ bool KioskKeeper::work_out_interrupted_session() {
                                                   .jar = jar_.stage(),
                                                   .jar_target = jar_.target(),
                                                   .drawn = interrupted_drawing()},
-                .words = fmt::format("interrupted visit: {:.1f} s of throwing wait to be picked up",
+                .words = fmt::format("interrupted visit: {:.1f} s of throwing can be resumed",
                                      interrupted_session_->seconds())});
         return false;
     }
@@ -260,6 +259,7 @@ void KioskKeeper::note_start() {
 
 void KioskKeeper::beat(KioskPulse pulse) {
     tasks_.post([this, pulse = std::move(pulse)] {
+        look_at_the_gallery();
         if (heartbeat_) complain(heartbeat_->beat(pulse, wall_clock_s()));
     });
 }
@@ -277,7 +277,17 @@ void KioskKeeper::complain(const Result<void>& done) {
     if (!done) complain(done.error().message);
 }
 
+// A disk that was unplugged or a folder that was moved is said once, and again when it goes another time.
+void KioskKeeper::look_at_the_gallery() {
+    std::error_code error;
+    const bool is_there = std::filesystem::exists(gallery_.folder(), error);
+    if (std::exchange(gallery_was_there_, is_there) && !is_there)
+        complain(gallery_.folder().string() +
+                 ": expected the folder of the pots, found none; the next pot begins a new one");
+}
+
 void KioskKeeper::answer_survey() {
+    look_at_the_gallery();
     KeeperAnswer::Survey found{
         .free_mb = gallery_.free_mb(), .celsius = hottest_celsius(), .use = use_of(statistics_, today())};
     std::string trouble;
@@ -368,6 +378,10 @@ void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
             end_journal();
             jar_.forget();
             const std::string name = fmt::format("{}/pot-{:03}", day, *number);
+            if (files::folder_sync_was_refused() && !std::exchange(has_said_unsynced_, true))
+                complain(gallery_.folder().string() +
+                         ": this file system does not sync folders; "
+                         "a power cut may lose the pots kept last");
             answer({.what = KeeperAnswer::Saved{*number, name},
                     .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
         } else {
@@ -408,7 +422,7 @@ std::shared_ptr<const decoration::Recorded> KioskKeeper::interrupted_drawing() {
     auto drawn = bytes ? decoration::recorded_from(std::as_bytes(std::span(*bytes)), drawing_place().string())
                        : Result<decoration::Recorded>(bytes.error());
     if (drawn) return std::make_shared<const decoration::Recorded>(std::move(*drawn));
-    complain("interrupted visit: what was drawn is dropped: " + drawn.error().message);
+    complain("interrupted visit: decoration dropped: " + drawn.error().message);
     remove_drawing();
     return nullptr;
 }

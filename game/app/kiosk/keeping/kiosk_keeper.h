@@ -160,6 +160,7 @@ class KioskKeeper final : private jobs::IoWork {
     void take_arriving(const haptic::TickRecord& record);
     void look_at_the_wall(std::int64_t now_ns);
     void show_wall(const Result<void>& changed);
+    void look_at_the_gallery();
     void answer_survey();
     void answer(KeeperAnswer answer) { answers_.post(std::move(answer)); }
     void answer(kiosk::Event::Kind kind, std::string words = {}) {
@@ -189,6 +190,8 @@ class KioskKeeper final : private jobs::IoWork {
     bool is_jar_ = false;                      // what history_ is of began as two bowls
     Gallery gallery_;
     std::string gallery_trouble_;  // as it was told last
+    bool has_said_unsynced_ = false;
+    bool gallery_was_there_ = false;
     std::filesystem::path statistics_;
     std::optional<KioskHeartbeat> heartbeat_;
     WallOfTheDay wall_;

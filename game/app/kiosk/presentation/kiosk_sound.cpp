@@ -88,7 +88,7 @@ std::string KioskSound::lack() {
     if (!output_) return is_fixed_ ? "switched off for this run by --volume 0" : "the volume is 0";
     const sound::SoundStatus& now = output_->status();
     if (now.is_heard) return {};
-    return now.message.empty() ? "the sound device is still being looked for" : now.message;
+    return now.message.empty() ? "still searching for a sound device" : now.message;
 }
 
 void KioskSound::say(const std::shared_ptr<const sound::SpokenLine>& line) {
@@ -104,7 +104,7 @@ std::string KioskSound::news() {
     const bool is_told = now.is_heard || !now.message.empty();
     if (!is_told || now.is_heard == was_heard_) return {};
     was_heard_ = now.is_heard;
-    return now.is_heard ? fmt::format("sound: heard through {}", now.device)
+    return now.is_heard ? fmt::format("sound: playing through {}", now.device)
                         : fmt::format("sound: none; {}", now.message);
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 using screens::StaffLine;
 
-constexpr double kSlowFrameMs = 25.0;  // every second refresh of a 60 Hz panel is missed now and then
-constexpr double kEnoughRate = 0.98;   // of what was asked for
-constexpr double kHotCelsius = 85.0;   // where processors begin to slow down
+constexpr double kSlowFrameMs = 25.0;  // a 60 Hz panel sometimes misses every second refresh
+constexpr double kEnoughRate = 0.98;   // of the requested rate
+constexpr double kHotCelsius = 85.0;   // processors throttle from here
 
 std::string ok_unless(bool bad) {
     return bad ? "warn" : "ok";
@@ -38,14 +38,14 @@ StaffLine rate_line(const Health& health) {
 
 StaffLine drawing_line(const Health& health) {
     if (health.device_ms <= 0.0) return {"Drawing", "this device does not measure it", ""};
-    // Where the processor is the device, most is drawn before the device has anything to do.
+    // On a software device most of the drawing happens before the device's work.
     double whole_ms = health.device_ms;
     for (const render::PassTime& part : health.parts)
         whole_ms += part.is_on_host ? part.ms : 0.0;
     std::string words = fmt::format("{:.1f} ms", whole_ms);
     const char* between = ": ";
     for (const render::PassTime& part : health.parts) {
-        constexpr double kLeastMs = 0.05;  // what is less is not worth a word
+        constexpr double kLeastMs = 0.05;  // shorter passes are not listed
         if (part.ms < kLeastMs) continue;
         words += fmt::format("{}{} {:.1f}", between, part.name, part.ms);
         between = ", ";
@@ -66,16 +66,16 @@ std::vector<StaffLine> health_lines(const Health& health) {
                      ok_unless(health.frame_ms > kSlowFrameMs)});
     lines.push_back(drawing_line(health));
     if (health.is_safe_mode) {
-        lines.push_back({"Safe mode", fmt::format("after {} falls", health.falls), "warn"});
+        lines.push_back({"Safe mode", fmt::format("after {} crashes", health.falls), "warn"});
     } else {
-        lines.push_back({"Falls before", std::to_string(health.falls), ok_unless(health.falls > 0)});
+        lines.push_back({"Crashes before", std::to_string(health.falls), ok_unless(health.falls > 0)});
     }
     lines.push_back({"Picture", std::string(health.quality), ""});
     if (health.celsius) {
         lines.push_back({"Temperature", fmt::format("{:.0f} \u00b0C", *health.celsius),
                          ok_unless(*health.celsius > kHotCelsius)});
     } else {
-        lines.push_back({"Temperature", "this machine tells none", ""});
+        lines.push_back({"Temperature", "not measured here", ""});
     }
     lines.push_back({"Disk free",
                      fmt::format("{:.0f} MB, {:.0f} needed", health.free_mb, health.least_free_mb),
@@ -124,7 +124,7 @@ std::vector<StaffLine> gallery_lines(const Health& health) {
     }
     if (health.pots_beyond > 0)
         lines.push_back({"Older pots", fmt::format("{} more on the disk", health.pots_beyond), ""});
-    // What has left the gallery by other hands is still on phones.
+    // Pots deleted from the gallery outside the program are still shared.
     const char* const where = health.pots_beyond > 0 ? ", not among these" : ", no longer here";
     for (const auto& [number, note] : health.shared) {
         if (!until.contains(number)) continue;
@@ -178,7 +178,7 @@ std::string force_test_words(const haptic::ForceTestReport& report, std::string_
         case Stage::kNobody:
             return fmt::format("Force: {} feels no hand; hold it and test again", hand);
         case Stage::kBroken:
-            return "Force: the test was broken off";
+            return "Force: the test was interrupted";
         case Stage::kDone:
             break;
     }

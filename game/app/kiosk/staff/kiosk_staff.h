@@ -1,4 +1,4 @@
-// What the staff's panel says of a kiosk, in lines with ok, warn or fault as words. Pure; any thread.
+// The lines of the staff's panel, with ok, warn or fault as words. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -18,39 +18,39 @@ namespace onggi::app {
 
 struct Health {
     double asked_hz = 0.0;
-    double achieved_hz = 0.0;           // 0: not known yet
+    double achieved_hz = 0.0;           // 0: not measured yet
     std::uint64_t skipped_periods = 0;  // since the start
     std::uint64_t late_periods = 0;
-    std::string_view fault = {};  // in words; empty: none
-    double frame_ms = 0.0;        // between two frames, of the last seconds
+    std::string_view fault = {};  // in words; may be empty
+    double frame_ms = 0.0;        // between two frames, mean of the last seconds
     double worst_frame_ms = 0.0;
-    double device_ms = 0.0;  // of the last one; 0: not measured
+    double device_ms = 0.0;  // of the last frame; 0: not measured
     std::vector<render::PassTime> parts = {};
     std::string_view quality = {};
     std::optional<double> celsius = {};
     double free_mb = 0.0;
     double least_free_mb = 0.0;
-    int falls = 0;  // of the program, within ten minutes before its start
+    int falls = 0;  // crashes within ten minutes before the start
     bool is_safe_mode = false;
     double running_s = 0.0;
     double text_degrees = 0.0;  // of the smallest capitals at the configured distance
     double distance_mm = 0.0;
-    std::string sound = {};  // through what it is heard; empty: it is not
+    std::string sound = {};  // name of the sound device; empty without one
     std::string sound_lack = {};
     std::vector<HandDevices::Seen> devices = {};
-    std::string holder = {};  // of the tool; empty: touch and mouse
+    std::string holder = {};  // the device with the tool; empty for touch and mouse
     UseOfDay use = {};
     std::vector<std::pair<int, std::string>> pots = {};  // a number for the delete key, a name; newest first
-    std::size_t pots_beyond = 0;                         // older ones, which are not among them
-    std::vector<std::pair<int, SharedPotNote>> shared = {};  // likewise, for the key that withdraws
+    std::size_t pots_beyond = 0;                         // number of older ones, not in `pots`
+    std::vector<std::pair<int, SharedPotNote>> shared = {};  // the same for the withdraw key
 };
 
 [[nodiscard]] std::vector<screens::StaffLine> staff_lines(const Health& health, kiosk::StaffPage page);
 
-// What a test of the force came to. `hand`: who had the tool, by name.
+// The result of a force test. `hand` is the name of the device that had the tool.
 [[nodiscard]] std::string force_test_words(const haptic::ForceTestReport& report, std::string_view hand);
 
-// Where the machine stands, minutes after midnight: now by its clock, and at that second since 1970.
+// Local time in minutes after midnight: now by the machine's clock, or at a second since 1970.
 [[nodiscard]] int minute_of_day();
 [[nodiscard]] int minute_of_day_at(std::int64_t now_s);
 

@@ -12,7 +12,7 @@ void StaffDesk::see_frame(double now_s, double frame_ms, const haptic::Snapshot&
     now_s_ = now_s;
     if (!started_s_) {
         started_s_ = now_s;
-        return;  // no frame before it
+        return;  // there is no previous frame
     }
     meter_.see(now_s, frame_ms, parts_.view.frame_stats().device_ms, snapshot.periods);
 }
@@ -25,7 +25,7 @@ int StaffDesk::number_of(const std::string& pot) {
 
 void StaffDesk::take(const KeeperAnswer::Survey& survey) {
     survey_ = survey;
-    page_.reset();  // it is news
+    page_.reset();  // forces new lines
 }
 
 void StaffDesk::take(const PhoneAnswer::Survey& survey) {
@@ -155,7 +155,7 @@ void StaffDesk::add_to(screens::View& view, const haptic::Snapshot& snapshot) {
             for (const SharedPotNote& pot : shared_)
                 now.shared.emplace_back(number_of(pot.gallery_name), pot);
         }
-        // Nothing is said of what has not been looked at yet.
+        // Shows no lines before the first survey.
         lines_ = survey_ || page == kiosk::StaffPage::kDevices ? staff_lines(now, page)
                                                                : std::vector<screens::StaffLine>{};
         plot_ = page == kiosk::StaffPage::kHealth ? meter_.plot() : screens::FramePlot{};

@@ -1,5 +1,5 @@
-// The staff's panel at work: it gathers what the panel says, follows the tests that were asked for, and knows
-// the gallery's pots by numbers that stay, so that what is deleted is what was shown. Main thread.
+// Runs the staff's panel: gathers its data, follows the running tests, and gives the gallery's pots stable
+// numbers, so that a deleted pot is the one that was shown. Main thread.
 #pragma once
 
 #include <map>
@@ -18,13 +18,13 @@
 
 namespace onggi::app {
 
-// What the desk asks; all of it outlives the desk.
+// The desk's collaborators, which must outlive it.
 struct DeskParts {
     wheel::LiveView& view;
     haptic::HapticJob& job;
     HandDevices& devices;
     KioskKeeper& keeper;
-    KioskPhone* phone;  // as VisitParts has it
+    KioskPhone* phone;  // as in VisitParts
     KioskSound& sound;
     const kiosk::Config& config;
     StartReport start;
@@ -35,22 +35,23 @@ class StaffDesk {
   public:
     explicit StaffDesk(const DeskParts& parts) : parts_(parts) {}
 
-    // Once a frame, whatever is shown. frame_ms: since the frame before.
+    // Call it once a frame on every screen. frame_ms is the time since the last frame.
     void see_frame(double now_s, double frame_ms, const haptic::Snapshot& snapshot);
-    // What the house's monitoring is told, of the program's health alone.
+    // The data for the museum's monitoring: only the program's health.
     [[nodiscard]] KioskPulse pulse(const haptic::Snapshot& snapshot) const;
     void take(const KeeperAnswer::Survey& survey);
     void take(const PhoneAnswer::Survey& survey);
     void test_force();
     void test_sound();
-    // The pot of that number goes; nothing happens where there is none.
+    // Deletes the pot of that number, if it exists.
     void delete_pot(int number);
-    // Its code is over, and the pot stays.
+    // Withdraws the pot's code and keeps the pot.
     void withdraw_code(int number);
 
-    // What the panel shows. Lines and plot change once a second at most, so that they can be read.
+    // Adds the panel's content to the view. Lines and plot change at most once a second, so that they are
+    // readable.
     void add_to(screens::View& view, const haptic::Snapshot& snapshot);
-    // Nobody looks at the panel.
+    // Tells the desk that the panel is closed.
     void leave();
 
   private:
@@ -64,10 +65,10 @@ class StaffDesk {
     std::optional<double> started_s_;
     double now_s_ = 0.0;
     std::optional<KeeperAnswer::Survey> survey_;
-    std::vector<SharedPotNote> shared_;     // as the last survey found them
-    std::vector<std::string> pots_;         // all that were ever surveyed; the number is the place
-    std::map<std::string, int> numbers_;    // of them
-    std::optional<kiosk::StaffPage> page_;  // that lines_ are of
+    std::vector<SharedPotNote> shared_;     // of the last survey
+    std::vector<std::string> pots_;         // all ever surveyed; a pot's number is its index
+    std::map<std::string, int> numbers_;    // from name to index in pots_
+    std::optional<kiosk::StaffPage> page_;  // the page of lines_
     std::vector<screens::StaffLine> lines_;
     screens::FramePlot plot_;
     double surveyed_s_ = -1e9;
