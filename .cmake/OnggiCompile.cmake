@@ -27,6 +27,9 @@ target_compile_options(onggi_options INTERFACE
     -Wall -Wextra -Wpedantic -Werror
     -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual
     -Wcast-qual -Wformat=2 -Wundef -Wunused
+    # One compiler compiles everything, and functions of vectors (Float8) are inlined, so that no vector crosses a boundary by
+    # value.
+    -Wno-psabi
     # No fused multiply-add, so that the same source gives the same bits everywhere.
     -ffp-contract=off
     # std::sqrt becomes one exact instruction; its errno is not used.

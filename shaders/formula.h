@@ -13,7 +13,6 @@
 #define COLOUR auto
 #define VEC3 const auto&
 #define VEC4 const auto&
-#pragma GCC diagnostic ignored "-Wpsabi"  // no vector is passed by value: everything is inlined
 namespace onggi::shaders {
 using namespace float8;
 }

@@ -91,10 +91,29 @@ class SparseSet final : public AnySparseSet {
 
 class Registry {
   public:
-    [[nodiscard]] Entity create();
+    [[nodiscard]] Entity create() {
+        if (free_indices_.empty()) {
+            generations_.push_back(0);
+            return {static_cast<std::uint32_t>(generations_.size() - 1), 0};
+        }
+        const std::uint32_t index = free_indices_.back();
+        free_indices_.pop_back();
+        return {index, generations_[index]};
+    }
+
     // Destroys the entity with all its components. Does nothing if it is not alive.
-    void destroy(Entity entity);
-    [[nodiscard]] bool alive(Entity entity) const;
+    void destroy(Entity entity) {
+        if (!alive(entity)) return;
+        for (auto& [type, storage] : storages_)
+            storage->erase(entity);
+        // The old identifier is now dead; the next entity at this index has another generation.
+        ++generations_[entity.index];
+        free_indices_.push_back(entity.index);
+    }
+
+    [[nodiscard]] bool alive(Entity entity) const {
+        return entity.index < generations_.size() && generations_[entity.index] == entity.generation;
+    }
 
     // Adds or replaces a component. Precondition: the entity is alive.
     template <typename Component>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/haptics/tool_state.h"
+#include "engine/haptics/hand_sample.h"
 
 namespace onggi::haptics {
 
@@ -21,7 +21,7 @@ struct DeviceCapabilities {
     double position_resolution_mm = 0.0;
     bool has_motors = true;  // false: its force moves a picture of a tool, and heats nothing
     // true: along the radius it is told forces and makes walls of its own of them, so that the work's
-    // stiffness closes no loop there (while HandSigns::shows_wall)
+    // stiffness closes no loop there (while DeviceSigns::shows_wall)
     bool has_own_walls = false;
     double report_rate_hz = 0.0;  // how often it says where it is; 0: at every read
     // How often an axis without such a wall is told its force. 0: as often as it reports, or of a device with
@@ -34,12 +34,12 @@ struct DeviceCapabilities {
     double coulomb_friction_n = 0.0;
 };
 
-// What the last read() found besides the tool.
-struct HandSigns {
+// What the last read() found besides the sample.
+struct DeviceSigns {
     bool position_is_new = true;  // heard from the device since the read before
     bool hand_is_there = true;    // as far as the device can tell
     bool shows_wall = false;      // along the radius by a wall of its own, as it is plugged in now
-    std::size_t hand = 0;         // which of capabilities_of_hands() has the tool
+    std::size_t device = 0;       // which of capabilities_of_devices() has the tool
     // Of the force written last, what went out to the motors, 0 to 1: a device may have ramps and limits of
     // its own, and the work that a force does is judged by what really went out.
     double force_fraction = 1.0;
@@ -52,7 +52,6 @@ struct WorkFelt {
     double wall_mm = 0.0;             // its thickness there; 0: solid
     double most_force_n = 0.0;        // with which such a wall bends aside; 0: it does not
     double load = 0.0;                // 0: at rest; 1: it gives way
-    double wheel_rad_s = 0.0;         // how fast it turns
 
     friend bool operator==(const WorkFelt&, const WorkFelt&) = default;
 };
@@ -65,17 +64,24 @@ class HapticDevice {
     virtual Result<void> open() = 0;
     virtual void close() noexcept = 0;
     [[nodiscard]] virtual DeviceCapabilities capabilities() const = 0;
-    // Of each hand that may get the tool, where there are several: each is held to its own limits.
-    [[nodiscard]] virtual std::vector<DeviceCapabilities> capabilities_of_hands() const {
+    // Of each device that may get the tool, where there are several: each is held to its own limits.
+    [[nodiscard]] virtual std::vector<DeviceCapabilities> capabilities_of_devices() const {
         return {capabilities()};
     }
 
     // Haptic thread, once a tick each, in this order. Wait-free: no lock, allocation or system call.
-    // read: where the tool is now. tick counts from 0, none left out; dt_s is the time since the last read:
+    // read: where the hand is now. tick counts from 0, none left out; dt_s is the time since the last read:
     // one step, two at most however many periods the loop had to skip.
-    [[nodiscard]] virtual ToolState read(std::uint64_t tick, double dt_s) noexcept = 0;
-    // after read.
-    [[nodiscard]] virtual HandSigns signs() const noexcept { return {}; }
+    [[nodiscard]] virtual HandSample read(std::uint64_t tick, double dt_s) noexcept = 0;
+    // after read, and about what it read:
+    [[nodiscard]] virtual DeviceSigns signs() const noexcept { return {}; }
+    // Plugged in and heard. What a device that is not here read does not count.
+    [[nodiscard]] virtual bool is_here() const noexcept { return true; }
+    // The person does something with it: beyond the device's noise, not merely holding it. A recording always
+    // does.
+    [[nodiscard]] virtual bool is_moving() const noexcept { return true; }
+    // Another device has brought the tool here; go on from there where the device can.
+    virtual void take_over(const dvec3& /*position_mm*/) noexcept {}
     // write: the limited force on the tool, N, wheel frame. Held until the next tick.
     virtual void write(const dvec3& force_n) noexcept = 0;
 

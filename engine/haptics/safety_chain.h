@@ -16,8 +16,8 @@
 #include <span>
 #include <string_view>
 
+#include "engine/haptics/hand_sample.h"
 #include "engine/haptics/haptic_device.h"
-#include "engine/haptics/tool_state.h"
 #include "engine/math/math.h"
 
 namespace onggi::haptics {
@@ -224,9 +224,9 @@ dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input, const S
 // chain cannot do this, because it knows one tool only: a motor stays warm while another hand works, and the
 // loop's ramp is over when a hand that lay in the work takes over.
 inline constexpr std::array<SafetyStage, 3> kMotorStages{{
-    {"ramp", "from zero to full force once a hand has the tool and the force is small", &ramp},
-    {"budget", "this hand's own mean force, while it works and while it rests", &budget},
-    {"clamp", "this hand's own peak force, direction kept", &clamp},
+    {"ramp", "from zero to full force once a device has the tool and the force is small", &ramp},
+    {"budget", "this device's own mean force, while it works and while it rests", &budget},
+    {"clamp", "this device's own peak force, direction kept", &clamp},
 }};
 
 // Applies the stages in order and stores the applied force in the state. An input that is not sound (time,

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -87,55 +86,22 @@ int drop_code(dl_phdr_info* library, std::size_t /*size*/, void* /*unused*/) {
     return 0;
 }
 
-// A line of /proc/self/maps, as proc(5) says it is made.
-struct Mapping {
-    std::uintptr_t first = 0;
-    std::uintptr_t end = 0;
-    std::string allowed;  // "r--p"
-    std::string name;     // of its file; "[heap]"
-};
-
-template <typename Look>
-void for_each_mapping(const Look& look) {
+// Fonts that words were painted in: mapped to be read, and never written. The lines of /proc/self/maps are as
+// proc(5) describes them.
+void drop_fonts() {
     std::ifstream maps("/proc/self/maps");
     for (std::string line; std::getline(maps, line);) {
-        Mapping mapping;
         std::istringstream words(line);
+        std::uintptr_t first = 0;
+        std::uintptr_t end = 0;
         char dash = 0;
-        std::string offset;
-        std::string device;
-        std::string inode;
-        if (words >> std::hex >> mapping.first >> dash >> mapping.end >> mapping.allowed >> offset >>
-            device >> inode) {
-            words >> mapping.name;
-            look(mapping);
-        }
+        std::string allowed, offset, device, inode, name;
+        if (!(words >> std::hex >> first >> dash >> end >> allowed >> offset >> device >> inode >> name))
+            continue;
+        if (allowed == "r--p" && (name.ends_with(".ttf") || name.ends_with(".otf") || name.ends_with(".ttc")))
+            drop_pages(first, end);
     }
 }
-
-// The C library's main heap, of one piece or of several that are locked or not.
-Mapping heap_mapping() {
-    Mapping heap;
-    for_each_mapping([&](const Mapping& mapping) {
-        if (mapping.name != "[heap]") return;
-        if (heap.end == 0) heap = mapping;
-        heap.end = mapping.end;
-    });
-    return heap;
-}
-
-// Fonts that words were painted in: mapped to be read, and never written.
-void drop_fonts() {
-    for_each_mapping([](const Mapping& mapping) {
-        const std::string_view name = mapping.name;
-        if (mapping.allowed == "r--p" &&
-            (name.ends_with(".ttf") || name.ends_with(".otf") || name.ends_with(".ttc")))
-            drop_pages(mapping.first, mapping.end);
-    });
-}
-
-// Once lock_memory() was granted.
-std::atomic<bool> memory_is_locked{false};
 
 }  // namespace
 
@@ -166,7 +132,6 @@ Granted lock_memory() {
     const bool unlimited =
         geteuid() == 0 || (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY);
     if (mlockall(MCL_CURRENT | MCL_ONFAULT | (unlimited ? MCL_FUTURE : 0)) != 0) return outcome(errno);
-    memory_is_locked.store(true, std::memory_order_relaxed);
     touch_code();
     return outcome(0);
 }
@@ -247,23 +212,10 @@ void keep_heaps_small() {
 #endif
 }
 
-// The kernel refuses to release locked pages, and malloc_trim() ignores that. So the heap is unlocked for the
-// call, and locked again at its new size.
+// A locked heap returns only its end. Unlocking it meanwhile returned no more during a visit.
 void give_back_freed_memory() {
 #ifdef __GLIBC__
-    if (!memory_is_locked.load(std::memory_order_relaxed)) {
-        malloc_trim(0);
-        return;
-    }
-    const auto for_heap = [](const auto& act) {
-        const Mapping heap = heap_mapping();
-        if (heap.end > heap.first)
-            act(reinterpret_cast<void*>(heap.first),
-                heap.end - heap.first);  // NOLINT: where the kernel has put it
-    };
-    for_heap([](void* at, std::size_t bytes) { munlock(at, bytes); });
     malloc_trim(0);
-    for_heap([](void* at, std::size_t bytes) { mlock2(at, bytes, MLOCK_ONFAULT); });
 #endif
 }
 

@@ -101,8 +101,7 @@ struct RealTimeReport {
 void keep_heaps_small();
 
 // Returns freed memory to the system. Call it after work that used much memory, such as a driver's
-// compilation. Other threads' allocations wait for some ms, and the heap is not locked meanwhile. Any thread
-// but a tick's.
+// compilation. Other threads' allocations wait for some ms. Any thread but a tick's.
 void give_back_freed_memory();
 
 // Releases the code of all libraries except those that a tick runs: mainly a software driver's compiler, up

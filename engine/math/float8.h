@@ -9,9 +9,6 @@
 #include <cstring>
 #include <numbers>
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace onggi {
 
 constexpr int kFloat8 = 8;
@@ -138,5 +135,3 @@ template <typename A, typename B>
 }
 
 }  // namespace onggi::float8
-
-#pragma GCC diagnostic pop

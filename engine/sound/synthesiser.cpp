@@ -28,7 +28,7 @@ double limited(double sample) {
 
 Synthesiser::Wanted Synthesiser::wanted_of(const SoundScene& scene) noexcept {
     const double press_n = bounded(scene.contact_n, 0.0, kHardestPressN);
-    return {.rev_min = bounded(scene.wheel_rev_min, 0.0, kFastestRevMin),
+    return {.rev_min = bounded(scene.rev_min, 0.0, kFastestRevMin),
             .motor_load = bounded(scene.motor_load, 0.0, 1.0),
             // Compressed: about half as loud again for each doubling, so that a light touch is audible and a
             // hard one not too loud.
@@ -58,7 +58,7 @@ double Synthesiser::motor() noexcept {
     return level * (1.0 + 0.12 * once_a_turn) * (0.1 * tone + 0.05 * bearing);
 }
 
-// The clay under the hand or the tool. Wet clay sounds dull and slowly modulated, like water; dry clay bright
+// The work under the hand or the tool. Wet work sounds dull and slowly modulated, like water; dry work bright
 // and even; a hard edge adds a scrape. More force is louder and slightly higher.
 double Synthesiser::rub(double noise) noexcept {
     const double press = press_.value();

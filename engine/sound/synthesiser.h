@@ -1,6 +1,6 @@
-// Synthesises the sound of a potter's wheel: motor, wet clay under a hand, the scrape of a tool, a slapped
-// lump, a fire. Pure: the same scenes in the same order give the same samples, whatever the block size. One
-// thread at a time; no allocation, no lock, no libm.
+// Synthesises the sound of a potter's wheel: motor, something wet under a hand, the scrape of a tool, a
+// slapped lump, a fire. Pure: the same scenes in the same order give the same samples, whatever the block
+// size. One thread at a time; no allocation, no lock, no libm.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@ namespace onggi::sound {
 
 // The scene to synthesise, in physical terms; the main thread sets it once a frame. Plain values; any thread.
 struct SoundScene {
-    double wheel_rev_min = 0.0;  // actual speed, not the requested one: a wheel under load sounds lower
-    double motor_load = 0.0;     // 0 idle to 1 nearly stalled
-    double contact_n = 0.0;      // normal force of the tool
-    double slip_mm_s = 0.0;      // speed of the surface under the tool
-    double wetness = 0.0;        // 0 leather-dry to 1 dripping
-    bool is_hard_tool = false;   // true: scrapes; false: a hand or soft tool
-    double place = 0.0;          // stereo position of the tool, -1 left to 1 right
-    std::uint32_t slaps = 0;     // counts lumps thrown on the wheel; each increase sounds once
-    bool is_plucked = false;     // a taut string gives way; sounds once at each change to true
-    std::uint32_t chimes = 0;    // counts loudspeaker tests; each increase sounds left, right, then both
-    bool fire_burns = false;     // a pot is fired: a low, unsteady roar
-    double volume = 0.5;         // 0 silent to 1
+    double rev_min = 0.0;     // of the wheel: actual speed, not the requested one; under load it sounds lower
+    double motor_load = 0.0;  // 0 idle to 1 nearly stalled
+    double contact_n = 0.0;   // normal force of the tool
+    double slip_mm_s = 0.0;   // speed of the surface under the tool
+    double wetness = 0.0;     // 0 leather-dry to 1 dripping
+    bool is_hard_tool = false;  // true: scrapes; false: a hand or soft tool
+    double place = 0.0;         // stereo position of the tool, -1 left to 1 right
+    std::uint32_t slaps = 0;    // counts lumps thrown on the wheel; each increase sounds once
+    bool is_plucked = false;    // a taut string gives way; sounds once at each change to true
+    std::uint32_t chimes = 0;   // counts loudspeaker tests; each increase sounds left, right, then both
+    bool fire_burns = false;    // a pot is fired: a low, unsteady roar
+    double volume = 0.5;        // 0 silent to 1
 };
 
 // The building blocks of voices: smoothed parameters, noise, filters, a sine without libm. Pure; one thread
@@ -157,7 +157,7 @@ class Synthesiser {
     Noise noise_{0x6f6e6767U};
     Phase hum_, second_, fifth_, turn_;
     Filter rumble_;
-    Filter skin_;     // the hand on the clay
+    Filter skin_;     // the hand on the material
     Filter squelch_;  // its modulation
     Filter edge_;     // the scrape
     Filter chatter_;  // its modulation

@@ -12,9 +12,6 @@
 
 #include "engine/math/wide_vectors.h"
 
-// No vector leaves this file by value; see engine/math/float8.h.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace onggi::clay {
 namespace {
 

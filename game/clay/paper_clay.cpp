@@ -11,6 +11,7 @@
 #include "game/clay/bounds.h"
 #include "game/clay/exact_math.h"
 #include "game/clay/state_numbers.h"
+#include "game/tool/tool_state.h"
 
 namespace onggi::clay {
 namespace {
@@ -164,7 +165,7 @@ ContactForces PaperClay::tick(const ToolInput& tool, const PaperParameters& para
 
     // Position.
     const dvec3 p2 = tool.position_mm;
-    const double r1 = std::clamp(tool.radius_mm, kSmallestToolMm, kLargestToolMm);
+    const double r1 = std::clamp(tool.radius_mm, tool::kMinToolRadiusMm, tool::kMaxToolRadiusMm);
     const dvec3 v1 = has_previous_ ? (p2 - previous_position_mm_) * parameters.rate_hz : dvec3(0.0);
     previous_position_mm_ = p2;
     has_previous_ = true;
@@ -240,12 +241,12 @@ Result<void> check(const PaperParameters& parameters) {
     };
     if (auto checked = check_bounds("clay parameter", bounds); !checked) return checked;
     const double c1 = parameters.softness_c1_per_mm;
-    if (!(c1 * kSmallestToolMm > 1.0 && c1 <= 1e6)) {
+    if (!(c1 * tool::kMinToolRadiusMm > 1.0 && c1 <= 1e6)) {
         return bad_input(
             fmt::format("clay parameter softness c1, 1/mm: expected more than {} (so that c1 r1 > 1 for the "
                         "smallest tool, "
                         "{} mm) and at most 1e6, found {}",
-                        1.0 / kSmallestToolMm, kSmallestToolMm, c1));
+                        1.0 / tool::kMinToolRadiusMm, tool::kMinToolRadiusMm, c1));
     }
     return {};
 }

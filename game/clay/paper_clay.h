@@ -17,10 +17,6 @@ namespace onggi::clay {
 constexpr int kMinElements = 100;
 constexpr int kMaxElements = 200000;
 
-// The tool radii that the equations are used with. The tick clamps others to this range.
-constexpr double kSmallestToolMm = 2.0;
-constexpr double kLargestToolMm = 40.0;
-
 // No valid tool or clay lies beyond this: larger values mean damage or a broken device.
 constexpr double kFarthestMm = 1e6;
 // The least height of a lump. It lets every element be numbered exactly as a float, up to kMaxElements.

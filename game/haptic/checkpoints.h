@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/record/packed_bytes.h"
+#include "game/record/packed_bytes.h"
 
 namespace onggi::haptic {
 

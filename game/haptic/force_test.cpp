@@ -23,8 +23,8 @@ dvec3 test_force_n(double time_s) noexcept {
     return force_n;
 }
 
-void ForceTest::begin(std::size_t hand) noexcept {
-    report_ = {.stage = Stage::kWaits, .hand = hand};
+void ForceTest::begin(std::size_t device) noexcept {
+    report_ = {.stage = Stage::kWaits, .device = device};
     ticks_ = 0;
     push_ = seen_push_ = -1;
 }
@@ -33,9 +33,9 @@ void ForceTest::end() noexcept {
     if (runs()) report_.stage = Stage::kBroken;
 }
 
-dvec3 ForceTest::step(const haptics::SafetyState& safety, std::size_t hand, double dt_s) noexcept {
+dvec3 ForceTest::step(const haptics::SafetyState& safety, std::size_t device, double dt_s) noexcept {
     if (!runs()) return dvec3(0.0);
-    if (safety.fault != haptics::Fault::kNone || hand != report_.hand) {
+    if (safety.fault != haptics::Fault::kNone || device != report_.device) {
         report_.stage = Stage::kBroken;
         return dvec3(0.0);
     }

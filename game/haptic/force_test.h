@@ -1,4 +1,4 @@
-// The staff's test of a hand: small known pushes along each axis in turn, which pass the whole safety chain
+// The staff's test of a device: small known pushes along each axis in turn, which pass the whole safety chain
 // like any force, and the hand's response. Counted in ticks, so that the same ticks have the same forces.
 // Haptic thread; allocates nothing. mm, N, s.
 #pragma once
@@ -25,12 +25,12 @@ struct ForceTestReport {
         kPushes,
         kDone,
         kNobody,  // the force did not come back: the hand reports that no person holds it
-        kBroken,  // aborted: a fault, a stop, another hand that took the tool, or a fresh lump
+        kBroken,  // aborted: a fault, a stop, another device that took the tool, or a fresh lump
     };
     Stage stage = Stage::kNone;
-    std::size_t hand = 0;  // index in HapticDevice::capabilities_of_hands()
-    dvec3 given_n{0.0};    // largest force of each push that passed the safety chain
-    dvec3 moved_mm{0.0};   // the tool's travel along each push
+    std::size_t device = 0;  // index in HapticDevice::capabilities_of_devices()
+    dvec3 given_n{0.0};      // largest force of each push that passed the safety chain
+    dvec3 moved_mm{0.0};     // the tool's travel along each push
 
     friend bool operator==(const ForceTestReport&, const ForceTestReport&) = default;
 };
@@ -41,14 +41,15 @@ struct ForceTestReport {
 
 class ForceTest {
   public:
-    void begin(std::size_t hand) noexcept;
+    void begin(std::size_t device) noexcept;
     void end() noexcept;
     [[nodiscard]] bool runs() const noexcept {
         return report_.stage == ForceTestReport::Stage::kWaits ||
                report_.stage == ForceTestReport::Stage::kPushes;
     }
-    // Once a tick, before the safety chain. Returns the force to add to the clay's. `hand` has the tool now.
-    [[nodiscard]] dvec3 step(const haptics::SafetyState& safety, std::size_t hand, double dt_s) noexcept;
+    // Once a tick, before the safety chain. Returns the force to add to the clay's. `device` has the tool
+    // now.
+    [[nodiscard]] dvec3 step(const haptics::SafetyState& safety, std::size_t device, double dt_s) noexcept;
     // Once a tick, after the chain: the tool's position in this tick, and the force that passed the chain.
     void see(const dvec3& position_mm, const dvec3& given_n) noexcept;
     [[nodiscard]] const ForceTestReport& report() const noexcept { return report_; }

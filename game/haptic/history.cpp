@@ -8,12 +8,12 @@
 #include <system_error>
 #include <utility>
 
-#include "engine/record/session_writer.h"
+#include "game/record/session_writer.h"
 
 namespace onggi::haptic {
 namespace {
 
-haptics::ToolState without_places(haptics::ToolState tool) {
+tool::ToolState without_places(tool::ToolState tool) {
     tool.position_mm = tool.second.position_mm = dvec3(0.0);
     return tool;
 }
@@ -47,12 +47,12 @@ void History::add(const TickRecord& record) {
     if (whole_) follow_tick(record.tool, &record.force_n);
 }
 
-void History::add_played(const haptics::ToolState& tool) {
+void History::add_played(const tool::ToolState& tool) {
     if (whole_) follow_tick(tool, nullptr);
 }
 
 // Without a recorded force, the force computed here is bit-identical.
-void History::follow_tick(const haptics::ToolState& tool, const dvec3* force_n) {
+void History::follow_tick(const tool::ToolState& tool, const dvec3* force_n) {
     const TickResult result = tick(now_, tool, start_.parameters);
     keep_input(tool, force_n != nullptr ? *force_n : result.forces.total_n());
     follow_moves(result);
@@ -63,8 +63,8 @@ void History::follow_tick(const haptics::ToolState& tool, const dvec3* force_n) 
     if (now_.ticks - checkpoints_.newest_tick() >= ticks_a_checkpoint) keep_checkpoint();
 }
 
-void History::keep_input(const haptics::ToolState& tool, const dvec3& force_n) {
-    const haptics::ToolState settings = without_places(tool);
+void History::keep_input(const tool::ToolState& tool, const dvec3& force_n) {
+    const tool::ToolState settings = without_places(tool);
     if (settings_.empty() || settings_.back() != settings) settings_.push_back(settings);
     inputs_.push_back({.position_mm = tool.position_mm,
                        .second_position_mm = tool.second.position_mm,
@@ -72,8 +72,8 @@ void History::keep_input(const haptics::ToolState& tool, const dvec3& force_n) {
                        .force_check = record::force_check(force_n)});
 }
 
-haptics::ToolState History::tool_of(const LoggedInput& input) const {
-    haptics::ToolState tool = settings_[input.settings];
+tool::ToolState History::tool_of(const LoggedInput& input) const {
+    tool::ToolState tool = settings_[input.settings];
     tool.position_mm = input.position_mm;
     tool.second.position_mm = input.second_position_mm;
     return tool;
@@ -90,8 +90,8 @@ void History::let_go_of_states() {
 
 void History::follow_moves(const TickResult& result) {
     const std::uint64_t tick = now_.ticks - 1;
-    const haptics::ToolState& tool = now_.tool;
-    const bool cuts = tool.command != haptics::WorkCommand::kNone;
+    const tool::ToolState& tool = now_.tool;
+    const bool cuts = tool.wire != tool::Wire::kNone;
     if (!cuts && result.forces.contacts == 0 && result.second_forces.contacts == 0) return;
 
     const auto pause = static_cast<std::uint64_t>(options_.pause_s * start_.parameters.rate_hz());

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/record/session_writer.h"
 #include "game/haptic/checkpoints.h"
 #include "game/haptic/input_log.h"
 #include "game/haptic/messages.h"
 #include "game/haptic/start_state.h"
+#include "game/record/session_writer.h"
 
 namespace onggi::haptic {
 
@@ -33,8 +33,8 @@ struct HistoryOptions {
 struct Move {
     std::uint64_t first_tick = 0;
     std::uint64_t end_tick = 0;  // one past the last; the newest move may still grow
-    haptics::ToolKind tool = haptics::ToolKind::kHand;
-    clay::studio::Side side = clay::studio::Side::kFree;
+    tool::Tool tool = tool::Tool::kHand;
+    tool::Side side = tool::Side::kFree;
     bool is_cut = false;
 };
 
@@ -46,7 +46,7 @@ class History {
     // kStatePut first goes back to the record's tick, so the state that was put must come from state_at().
     void add(const TickRecord& record);
     // Adds one tick played back from a session with the same start.
-    void add_played(const haptics::ToolState& tool);
+    void add_played(const tool::ToolState& tool);
 
     // False once a record was lost or could not be read back. Until the next fresh lump, the clay here may
     // then differ from the one on the wheel.
@@ -99,17 +99,17 @@ class History {
   private:
     void begin_anew();
     void go_back_to(std::uint64_t tick);
-    void keep_input(const haptics::ToolState& tool, const dvec3& force_n);
+    void keep_input(const tool::ToolState& tool, const dvec3& force_n);
     void keep_checkpoint();
-    void follow_tick(const haptics::ToolState& tool, const dvec3* force_n);
+    void follow_tick(const tool::ToolState& tool, const dvec3* force_n);
     void follow_moves(const TickResult& result);
-    [[nodiscard]] haptics::ToolState tool_of(const LoggedInput& input) const;
+    [[nodiscard]] tool::ToolState tool_of(const LoggedInput& input) const;
 
     Start start_;
     HistoryOptions options_;
     HapticState now_;
     InputLog inputs_;  // index i is tick first_tick() + i
-    std::vector<haptics::ToolState> settings_;
+    std::vector<tool::ToolState> settings_;
     std::vector<std::uint64_t> block_hashes_;  // after each full block of the session that save() writes
     Checkpoints checkpoints_;                  // the first is the start
     std::vector<Move> moves_;

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/haptics/haptic_device.h"
 #include "game/haptic/tick.h"
 
 namespace onggi::haptic {
 namespace {
 
-// The clay's state for a device's other displays: stiffness and thickness at the touch, load, wheel speed.
-// Fit for the tick. mm, N, rad/s.
+// The clay's state for a device's other displays: stiffness and thickness at the touch, load. Fit for the
+// tick. mm, N.
 constexpr double kKpaPerNMm2 = 1000.0;
 
 // From the last tick.
@@ -23,11 +22,7 @@ haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
     if (parameters.feel.most_stiffness_n_per_mm > 0.0)
         felt.stiffness_n_per_mm = std::min(felt.stiffness_n_per_mm, parameters.feel.most_stiffness_n_per_mm);
     const clay::StudioClay* studio = state.studio();
-    if (studio == nullptr) {
-        felt.wheel_rad_s = state.tool.wheel_button ? parameters.paper.wheel_speed_rad_s : 0.0;
-        return felt;
-    }
-    felt.wheel_rad_s = studio->wheel().speed_rad_s();
+    if (studio == nullptr) return felt;
     felt.load = studio->load_index();
     const clay::studio::Rings& rings = studio->rings();
     if (rings.count == 0 || !felt.touches) return felt;
@@ -60,15 +55,15 @@ jobs::FixedRateJobOptions job_options(const HapticParameters& parameters, const 
 
 }  // namespace
 
-HapticWork::HapticWork(HapticState start, const HapticParameters& parameters,
-                       std::unique_ptr<haptics::HapticDevice> device, const HapticJobOptions& options)
+HapticWork::HapticWork(HapticState start, const HapticParameters& parameters, ToolDevices devices,
+                       const HapticJobOptions& options)
     : start_(std::move(start)),
       parameters_(parameters),
       options_(options),
-      device_(std::move(device)),
-      fits_(fits_for(*device_, parameters_, start_.paper() != nullptr)),
+      devices_(std::move(devices)),
+      fits_(fits_for(devices_.all(), parameters_, start_.paper() != nullptr)),
       state_(start_),
-      watchdog_(*device_, {.rate_hz = parameters.rate_hz()}),
+      watchdog_(devices_.all(), {.rate_hz = parameters.rate_hz()}),
       commands_(kCommandCapacity),
       states_(kStateCapacity),
       old_states_(2 * kStateCapacity),
@@ -87,11 +82,11 @@ bool HapticWork::tick(const jobs::Period& period) noexcept {
     put_on_states();
     if (run_is_over()) put_on_fresh_lump();
 
-    const haptics::ToolState tool = device_->read(ticks_of_run(), period.dt_s);
+    const tool::ToolState tool = devices_.read(ticks_of_run(), period.dt_s);
     const TickResult result = haptic::tick(state_, tool, parameters_, device_tick(period));
     force_test_.see(tool.position_mm, result.limited_force_n);
-    device_->feel(work_felt(state_, result, parameters_));
-    device_->write(result.limited_force_n);
+    devices_.all().feel(work_felt(state_, result, parameters_));
+    devices_.all().write(result.limited_force_n);
     largest_force_n2_ = std::max(largest_force_n2_, glm::dot(result.limited_force_n, result.limited_force_n));
     watchdog_.beat();
     keep_record(result);
@@ -131,7 +126,7 @@ void HapticWork::apply_commands() noexcept {
                 nobody_is_there_ = false;
                 break;
             case Command::kTestForce:
-                force_test_.begin(hand_);
+                force_test_.begin(device_);
                 break;
         }
     }
@@ -140,15 +135,15 @@ void HapticWork::apply_commands() noexcept {
 std::vector<HapticWork::Fit> HapticWork::fits_for(const haptics::HapticDevice& device,
                                                   const HapticParameters& parameters, bool is_paper) {
     std::vector<Fit> fits;
-    for (const haptics::DeviceCapabilities& hand : device.capabilities_of_hands()) {
+    for (const haptics::DeviceCapabilities& one : device.capabilities_of_devices()) {
         HapticParameters fitted = parameters;
-        Result<void> done = fit_to_device(fitted, hand, is_paper);
+        Result<void> done = fit_to_device(fitted, one, is_paper);
         if (!done) fitted.safety.peak_force_n = 0.0;
         fits.push_back({.safety = fitted.safety,
                         .feel = fitted.feel,
-                        .step_mm = hand.position_resolution_mm,
-                        .has_motors = hand.has_motors,
-                        .is_felt = hand.has_motors && hand.force_axes > 0,
+                        .step_mm = one.position_resolution_mm,
+                        .has_motors = one.has_motors,
+                        .is_felt = one.has_motors && one.force_axes > 0,
                         .fits = std::move(done)});
     }
     return fits;
@@ -156,8 +151,8 @@ std::vector<HapticWork::Fit> HapticWork::fits_for(const haptics::HapticDevice& d
 
 std::vector<std::string> HapticWork::refusals() const {
     std::vector<std::string> lines;
-    for (std::size_t hand = 1; hand < fits_.size(); ++hand)
-        if (!fits_[hand].fits) lines.push_back(fits_[hand].fits.error().message);
+    for (std::size_t device = 1; device < fits_.size(); ++device)
+        if (!fits_[device].fits) lines.push_back(fits_[device].fits.error().message);
     return lines;
 }
 
@@ -175,18 +170,18 @@ DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
     }
     DeviceTick device{.dt_s = period.dt_s,
                       .late = static_cast<std::uint32_t>(std::min<std::uint64_t>(period.skipped, kMostLate)),
-                      .signs = device_->signs(),
+                      .signs = devices_.all().signs(),
                       .stop = stop_asked_.load(std::memory_order_relaxed),
                       .comes_anew = state_was_put_};
-    if (device.signs.hand != hand_ && device.signs.hand < fits_.size()) {
-        hand_ = device.signs.hand;
-        hold_to(fits_[hand_]);
+    if (device.signs.device != device_ && device.signs.device < fits_.size()) {
+        device_ = device.signs.device;
+        hold_to(fits_[device_]);
         haptics::restart_ramp(state_.safety);
     }
     // While a force test runs, a person is at the hand.
     const bool alone = (nobody_is_there_ && !force_test_.runs()) || watchdog_.picture_stands_still();
-    if (alone && fits_[hand_].has_motors) device.signs.hand_is_there = false;
-    device.test_force_n = force_test_.step(state_.safety, hand_, parameters_.dt_s());
+    if (alone && fits_[device_].has_motors) device.signs.hand_is_there = false;
+    device.test_force_n = force_test_.step(state_.safety, device_, parameters_.dt_s());
     return device;
 }
 
@@ -272,9 +267,9 @@ void HapticWork::publish(const TickResult& result) noexcept {
     pots_.publish();
 }
 
-HapticJob::HapticJob(HapticState start, const HapticParameters& parameters,
-                     std::unique_ptr<haptics::HapticDevice> device, const HapticJobOptions& options)
-    : work_(std::move(start), parameters, std::move(device), options),
+HapticJob::HapticJob(HapticState start, const HapticParameters& parameters, ToolDevices devices,
+                     const HapticJobOptions& options)
+    : work_(std::move(start), parameters, std::move(devices), options),
       job_(job_options(parameters, options)) {}
 
 Result<void> HapticJob::start() {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/haptics/haptic_device.h"
 #include "engine/haptics/watchdog.h"
 #include "engine/jobs/fixed_rate_job.h"
 #include "engine/jobs/io_thread.h"
@@ -19,13 +18,14 @@
 #include "engine/jobs/triple_buffer.h"
 #include "game/haptic/messages.h"
 #include "game/haptic/tick.h"
+#include "game/haptic/tool_device.h"
 
 namespace onggi::haptic {
 
 struct HapticJobOptions {
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
-    // Does not spin while the hand that has the tool has no motors: without force a tick's exact start cannot
-    // be felt, and spinning takes two fifths of a core at 4 kHz.
+    // Does not spin while the device that has the tool has no motors: without force a tick's exact start
+    // cannot be felt, and spinning takes two fifths of a core at 4 kHz.
     bool spares_the_core = false;
     jobs::RealTimeRequest real_time{};
     jobs::RealTimePolicy policy = jobs::RealTimePolicy::kIgnore;
@@ -40,8 +40,8 @@ struct HapticJobOptions {
 class HapticWork final : public jobs::PeriodicWork {
   public:
     // `start` is the lump of the start and of every restart. The loop runs at the parameters' rate.
-    HapticWork(HapticState start, const HapticParameters& parameters,
-               std::unique_ptr<haptics::HapticDevice> device, const HapticJobOptions& options);
+    HapticWork(HapticState start, const HapticParameters& parameters, ToolDevices devices,
+               const HapticJobOptions& options);
     ~HapticWork() override;
     HapticWork(const HapticWork&) = delete;
     HapticWork& operator=(const HapticWork&) = delete;
@@ -49,7 +49,7 @@ class HapticWork final : public jobs::PeriodicWork {
     // Haptic thread.
     [[nodiscard]] bool tick(const jobs::Period& period) noexcept override;
     [[nodiscard]] bool needs_punctuality() const noexcept override {
-        return !options_.spares_the_core || fits_[hand_].is_felt;
+        return !options_.spares_the_core || fits_[device_].is_felt;
     }
 
     // The consumer's side of each hand-off, on the one thread that is not the haptic one.
@@ -74,12 +74,12 @@ class HapticWork final : public jobs::PeriodicWork {
     [[nodiscard]] std::uint64_t runs() const noexcept { return run_ + 1; }
     // Ticks whose record or hash found its ring full. If there are any, the recording is incomplete.
     [[nodiscard]] std::uint64_t dropped_records() const noexcept { return dropped_records_; }
-    [[nodiscard]] haptics::HapticDevice& device() noexcept { return *device_; }
+    [[nodiscard]] haptics::HapticDevice& device() noexcept { return devices_.all(); }
     // Runs on a thread of its own while the job does.
     [[nodiscard]] haptics::Watchdog& watchdog() noexcept { return watchdog_; }
-    // Whether the first hand can render this clay (fit_to_device).
+    // Whether the first device can render this clay (fit_to_device).
     [[nodiscard]] const Result<void>& fits() const noexcept { return fits_.front().fits; }
-    // Why other hands get no force, a line each.
+    // Why other devices get no force, a line each.
     [[nodiscard]] std::vector<std::string> refusals() const;
 
   private:
@@ -98,7 +98,7 @@ class HapticWork final : public jobs::PeriodicWork {
     void publish(const TickResult& result) noexcept;
 
     const HapticState start_;
-    // Each hand's limits; a hand that cannot render this clay gets no force.
+    // Each device's limits; a device that cannot render this clay gets no force.
     struct Fit {
         haptics::SafetyLimits safety;
         DeviceFeel feel;
@@ -111,9 +111,9 @@ class HapticWork final : public jobs::PeriodicWork {
                                                    const HapticParameters& parameters, bool is_paper);
     void hold_to(const Fit& fit) noexcept;
 
-    HapticParameters parameters_;  // with the limits of the hand that has the tool
+    HapticParameters parameters_;  // with the limits of the device that has the tool
     const HapticJobOptions options_;
-    std::unique_ptr<haptics::HapticDevice> device_;
+    ToolDevices devices_;
     const std::vector<Fit> fits_;
 
     // Haptic thread only, while it runs.
@@ -125,7 +125,7 @@ class HapticWork final : public jobs::PeriodicWork {
     std::uint64_t skipped_periods_ = 0;
     std::uint64_t dropped_records_ = 0;
     std::uint32_t silences_ = 0;
-    std::size_t hand_ = 0;
+    std::size_t device_ = 0;
     bool nobody_is_there_ = false;
     ForceTest force_test_;
     std::uint64_t periods_ = 0;
@@ -150,8 +150,8 @@ class HapticWork final : public jobs::PeriodicWork {
 
 class HapticJob {
   public:
-    HapticJob(HapticState start, const HapticParameters& parameters,
-              std::unique_ptr<haptics::HapticDevice> device, const HapticJobOptions& options);
+    HapticJob(HapticState start, const HapticParameters& parameters, ToolDevices devices,
+              const HapticJobOptions& options);
     ~HapticJob() { stop(); }
     HapticJob(const HapticJob&) = delete;
     HapticJob& operator=(const HapticJob&) = delete;
@@ -162,7 +162,7 @@ class HapticJob {
     Result<void> start();
     // Joins the threads, takes the force away and closes the device. No effect if it does not run.
     void stop() noexcept;
-    // Why a hand other than the first gets no force, a line each.
+    // Why a device other than the first gets no force, a line each.
     [[nodiscard]] std::vector<std::string> refusals() const { return work_.refusals(); }
     // Any thread, including those of a stop key or a signal; wait-free.
     void stop_force() noexcept { work_.stop_force(); }

@@ -6,11 +6,11 @@
 #include <type_traits>
 
 #include "engine/haptics/safety_chain.h"
-#include "engine/haptics/tool_state.h"
 #include "engine/math/math.h"
 #include "game/haptic/force_test.h"
 #include "game/haptic/pot_copy.h"
 #include "game/haptic/tick.h"
+#include "game/tool/tool_state.h"
 
 namespace onggi::haptic {
 
@@ -47,23 +47,23 @@ struct Snapshot {
     std::uint64_t states_put = 0;       // number of states put on the wheel
     std::uint64_t skipped_periods = 0;  // since the job started
     std::uint64_t periods = 0;          // ticked since the job started, whatever the lump
-    haptics::ToolState tool;
-    TickResult result;  // forces of both hands, the device's force, sides, the assist's place
+    tool::ToolState tool{};
+    TickResult result{};  // forces of both hands, the device's force, sides, the assist's place
     haptics::Fault fault = haptics::Fault::kNone;
-    SafetyReport safety;
-    ForceTestReport force_test;
+    SafetyReport safety{};
+    ForceTestReport force_test{};
     dvec2 wheel_direction{1.0, 0.0};  // cos and sin of the wheel's angle, counter-clockwise from above
     bool wheel_turning = false;
     double wheel_speed_rad_s = 0.0;
     // For the studio's clay:
-    LoadReport load;
+    LoadReport load{};
     double on_wheel_mm3 = 0.0;
     double hand_film = 0.0;   // water on the hands, 0 to 1
     bool is_cut_off = false;  // the pot is finished
     clay::ClayBody body = clay::ClayBody::kStoneware;
     // The rings, copied at a pace of their own; never null in the result of newest_snapshot().
     const pot::Pot* pot = nullptr;
-    PotStamp pot_stamp;
+    PotStamp pot_stamp{};
 };
 
 // A snapshot of the start, without a pot.
@@ -90,9 +90,9 @@ struct TickRecord {
 
     std::uint32_t tick = 0;  // since the lump was fresh; 4e9 of them are five days at 10 kHz
     std::uint32_t flags = 0;
-    std::uint32_t run = 0;    // number of lumps before this one
-    haptics::ToolState tool;  // as the clay got it
-    dvec3 force_n{0.0};       // F of Eq. (3), before the safety chain
+    std::uint32_t run = 0;  // number of lumps before this one
+    tool::ToolState tool;   // as the clay got it
+    dvec3 force_n{0.0};     // F of Eq. (3), before the safety chain
 };
 static_assert(sizeof(TickRecord) <= 192, "three cache lines; ten seconds at 4 kHz are 7.7 MB");
 static_assert(std::is_trivially_copyable_v<TickRecord>);

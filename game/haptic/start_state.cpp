@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "engine/core/little_endian.h"
-#include "engine/record/tool_bytes.h"
 #include "game/clay/state_numbers.h"
+#include "game/tool/tool_bytes.h"
 
 namespace onggi::haptic {
 namespace {
@@ -51,7 +51,7 @@ std::optional<double> visit_head(Visitor& visitor, Parameters& clay) {
     }
     return strange;
 }
-constexpr std::size_t kStudioTailBytes = record::kWholeToolBytes + 8;  // between the parameters and the clay
+constexpr std::size_t kStudioTailBytes = tool::kWholeToolBytes + 8;  // between the parameters and the clay
 
 Error damaged(std::string_view place, std::string_view expected, std::string_view found) {
     return bad_input(fmt::format("start state, {}: expected {}, found {}", place, expected, found));
@@ -74,7 +74,7 @@ std::vector<std::byte> studio_bytes(const HapticState& state, const clay::Studio
     out.number(kStudioTag);
     visit_head(out, parameters.studio);
     std::vector<std::byte> bytes = out.take();
-    record::put_whole_tool(bytes, state.tool);
+    tool::put_whole_tool(bytes, state.tool);
     little_endian::put(bytes, state.ticks);
     const auto clay = studio.start_state();
     bytes.insert(bytes.end(), clay.begin(), clay.end());
@@ -91,14 +91,14 @@ Result<Start> paper_start(std::span<const std::byte> bytes, double rate_hz) {
     parameters.set_rate_hz(rate_hz);
     clay::StateReader in(bytes.subspan(4));
     clay::Rotation heading;
-    haptics::ToolState tool;
+    tool::ToolState tool;
     std::uint64_t ticks = 0;
     visit_head(in, parameters.paper, heading, tool, ticks);
     if (auto valid = clay::check(parameters.paper); !valid) return valid.error();
     const double length2 = heading.cosine * heading.cosine + heading.sine * heading.sine;
     if (!(std::fabs(length2 - 1.0) < 1e-9))
         return damaged("wheel direction", "a unit vector", fmt::format("squared length {}", length2));
-    if (haptics::within_limits(tool, {}) != tool) {
+    if (tool::within_limits(tool, {}) != tool) {
         return damaged("tool", "one within its limits",
                        fmt::format("({}, {}, {}) mm, radius {} mm", tool.position_mm.x, tool.position_mm.y,
                                    tool.position_mm.z, tool.radius_mm));
@@ -124,13 +124,13 @@ Result<Start> studio_start(std::span<const std::byte> bytes, double rate_hz) {
     if (strange) return damaged("switch", "0 or 1", fmt::format("{}", *strange));
     if (auto valid = clay::check(parameters.studio); !valid) return valid.error();
     const std::byte* const tool = bytes.data() + tool_at;
-    if (const auto wrong = record::fault_of_whole_tool(tool))
+    if (const auto wrong = tool::fault_of_whole_tool(tool))
         return damaged("tool", wrong->expected, wrong->found);
     auto clay = clay::StudioClay::from_start_state(bytes.subspan(tool_at + kStudioTailBytes));
     if (!clay) return clay.error();
     Start start{HapticState(std::move(clay).value()), parameters};
-    start.state.tool = record::get_whole_tool(tool);
-    start.state.ticks = little_endian::get<std::uint64_t>(tool + record::kWholeToolBytes);
+    start.state.tool = tool::get_whole_tool(tool);
+    start.state.ticks = little_endian::get<std::uint64_t>(tool + tool::kWholeToolBytes);
     return start;
 }
 

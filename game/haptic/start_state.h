@@ -1,5 +1,5 @@
 // The start of a recording as bytes: parameters and state of the haptic loop, without the device's safety.
-// The session file stores them as opaque bytes (engine/record). Any thread but the haptic one: it allocates.
+// The session file stores them as opaque bytes (game/record). Any thread but the haptic one: it allocates.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/record/session_format.h"
 #include "game/haptic/tick.h"
+#include "game/record/session_format.h"
 
 namespace onggi::haptic {
 

@@ -4,47 +4,14 @@
 #include <cassert>
 
 #include "engine/core/hash.h"
-#include "engine/core/units.h"
-#include "game/haptic/tools.h"
 
 namespace onggi::haptic {
 namespace {
 
-// The clay may not include the devices' room, so the equality of both ranges is checked here.
-static_assert(clay::kSmallestToolMm == haptics::kMinToolRadiusMm);
-static_assert(clay::kLargestToolMm == haptics::kMaxToolRadiusMm);
-
-clay::StudioTool studio_tool(haptics::ToolKind kind) noexcept {
-    if (kind == kRib) return clay::StudioTool::kRib;
-    if (kind == kSponge) return clay::StudioTool::kSponge;
-    if (kind == kTrimmer) return clay::StudioTool::kTrimmer;
-    return clay::StudioTool::kHand;
-}
-
-clay::WantedSide side_request(haptics::SideHint hint) noexcept {
-    switch (hint) {
-        case haptics::SideHint::kByTheWayItCame:
-            return clay::WantedSide::kNone;
-        case haptics::SideHint::kOutside:
-            return clay::WantedSide::kOut;
-        case haptics::SideHint::kInside:
-            return clay::WantedSide::kIn;
-        case haptics::SideHint::kRim:
-            return clay::WantedSide::kTop;
-    }
-    return clay::WantedSide::kNone;
-}
-
-clay::Wire studio_wire(haptics::WorkCommand command) noexcept {
-    if (command == kCutRim) return clay::Wire::kCutRim;
-    if (command == kCutOff) return clay::Wire::kCutOff;
-    return clay::Wire::kNone;
-}
-
-void tick_paper(clay::PaperClay& clay, HapticState& state, const haptics::ToolState& tool,
+void tick_paper(clay::PaperClay& clay, HapticState& state, const tool::ToolState& tool,
                 const HapticParameters& parameters, TickResult& result) noexcept {
     // The paper's clay has neither sides nor tools, so they are not recorded.
-    state.tool = plain_tool(haptics::within_limits(tool, state.tool));
+    state.tool = tool::plain_tool(tool::within_limits(tool, state.tool));
     if (state.tool.wheel_button) state.wheel.turn(parameters.paper.wheel_speed_rad_s * parameters.dt_s());
     result.forces = clay.tick({.position_mm = state.tool.position_mm,
                                .radius_mm = state.tool.radius_mm,
@@ -53,18 +20,18 @@ void tick_paper(clay::PaperClay& clay, HapticState& state, const haptics::ToolSt
 }
 
 // Lifts both hands over the rim, where they are on no side of a wall.
-void lift_over(haptics::ToolState& tool, double height_mm) noexcept {
+void lift_over(tool::ToolState& tool, double height_mm) noexcept {
     constexpr double kClearMm = 1.0;
     const auto over_mm = [&](double radius_mm) { return height_mm + radius_mm + kClearMm; };
     tool.position_mm.y = std::max(tool.position_mm.y, over_mm(tool.radius_mm));
     tool.second.position_mm.y = std::max(tool.second.position_mm.y, over_mm(tool.second.radius_mm));
 }
 
-void tick_studio(clay::StudioClay& clay, HapticState& state, const haptics::ToolState& tool,
+void tick_studio(clay::StudioClay& clay, HapticState& state, const tool::ToolState& tool,
                  const HapticParameters& parameters, bool comes_anew, TickResult& result) noexcept {
-    state.tool = haptics::within_limits(tool, state.tool);
+    state.tool = tool::within_limits(tool, state.tool);
     if (comes_anew) lift_over(state.tool, clay.height_mm());
-    const clay::StudioForces forces = clay.tick(studio_input(state.tool), parameters.studio);
+    const clay::StudioForces forces = clay.tick(state.tool, parameters.studio);
     result.forces = forces.hand;
     result.second_forces = forces.second;
     result.second_position_mm = forces.second_position_mm;
@@ -77,7 +44,7 @@ void tick_studio(clay::StudioClay& clay, HapticState& state, const haptics::Tool
 
 // The force for the device. The safety chain uses the device's own position, not the position that the clay
 // got.
-dvec3 limited_force(HapticState& state, const haptics::ToolState& tool, const HapticParameters& parameters,
+dvec3 limited_force(HapticState& state, const tool::ToolState& tool, const HapticParameters& parameters,
                     const DeviceTick& device, const clay::ContactForces& forces) noexcept {
     const double dt_s = device.dt_s > 0.0 ? device.dt_s : parameters.dt_s();
     const bool is_studio = state.studio() != nullptr;
@@ -146,29 +113,7 @@ void HapticState::take_memory() noexcept {
     if (clay::StudioClay* there = studio()) there->take_memory();
 }
 
-clay::StudioInput studio_input(const haptics::ToolState& tool) noexcept {
-    const bool turns = tool.wheel_button;
-    clay::StudioInput input;
-    input.hand = {.position_mm = tool.position_mm,
-                  .radius_mm = tool.radius_mm,
-                  .shaft_mm = tool.shaft_mm,
-                  .side = side_request(tool.side),
-                  .tool = studio_tool(tool.tool)};
-    input.second = {.position_mm = tool.second.position_mm,
-                    .radius_mm = tool.second.radius_mm,
-                    .tool = studio_tool(tool.second.tool)};
-    input.has_second = tool.second.present;
-    input.assist_gap_mm = tool.assist_gap_mm;
-    input.wheel_speed_rad_s = turns ? units::rad_s_from_rev_min(tool.wheel_speed_rev_min) : 0.0;
-    input.water = tool.water;
-    input.wire = studio_wire(tool.command);
-    input.wire_height_mm = tool.command_height_mm;
-    input.guided = tool.guided;
-    input.pressing = tool.pressing;
-    return input;
-}
-
-TickResult tick(HapticState& state, const haptics::ToolState& tool, const HapticParameters& parameters,
+TickResult tick(HapticState& state, const tool::ToolState& tool, const HapticParameters& parameters,
                 const DeviceTick& device) noexcept {
     TickResult result;
     if (clay::PaperClay* paper = state.paper()) {

@@ -8,13 +8,13 @@
 #include <variant>
 
 #include "engine/haptics/safety_chain.h"
-#include "engine/haptics/tool_state.h"
 #include "engine/haptics/velocity_estimator.h"
-#include "engine/record/session_format.h"
 #include "game/clay/paper_clay.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/clay/wheel_angle.h"
 #include "game/haptic/device_force.h"
+#include "game/record/session_format.h"
+#include "game/tool/tool_state.h"
 
 namespace onggi::haptic {
 
@@ -41,7 +41,7 @@ struct HapticState {
     clay::WheelAngle wheel;  // of the paper's clay; the studio's clay has its own wheel
     // The tool of the last tick, within its limits, as it is recorded. Far above the clay before the first
     // tick.
-    haptics::ToolState tool{.position_mm = {0.0, haptics::kWorkspaceMm, 0.0}};
+    tool::ToolState tool{.position_mm = {0.0, haptics::kWorkspaceMm, 0.0}};
     haptics::SafetyState safety;          // belongs to the device, not to the clay: it survives a fresh lump
     haptics::VelocityEstimator velocity;  // likewise
     std::uint64_t ticks = 0;              // since the lump was fresh
@@ -79,8 +79,8 @@ struct TickResult {
     clay::ContactForces second_forces;  // on the second hand or the assist
     dvec3 second_position_mm{0.0};
     bool has_second = false;
-    clay::studio::Side side = clay::studio::Side::kFree;
-    clay::studio::Side second_side = clay::studio::Side::kFree;
+    tool::Side side = tool::Side::kFree;
+    tool::Side second_side = tool::Side::kFree;
     double wheel_load_n_mm = 0.0;   // from the hands' friction, against the turning
     clay::studio::GripReport grip;  // of a guided hand
 };
@@ -90,7 +90,7 @@ struct TickResult {
 struct DeviceTick {
     double dt_s = 0.0;       // since the last tick; 0: the fixed step
     std::uint32_t late = 0;  // periods missed since the last tick
-    haptics::HandSigns signs;
+    haptics::DeviceSigns signs;
     bool stop = false;        // a person switched the force off
     dvec3 test_force_n{0.0};  // the staff's test, added to the clay's force; it counts as driven by a motor
     // The clay was replaced under the hand. For this tick the studio's clay gets the hand above the pot:
@@ -98,14 +98,11 @@ struct DeviceTick {
     bool comes_anew = false;
 };
 
-// The studio clay's input for that tool.
-[[nodiscard]] clay::StudioInput studio_input(const haptics::ToolState& tool) noexcept;
-
 // Applies the tool, turns the wheel and the clay by one fixed step and computes the forces. With the paper's
 // clay the wheel turns exactly while its button is held, at full speed at once; with the studio's the button
 // is the pedal. `device` reaches the clay only through the recorded tool, so that a replay without a device
 // is the same.
-TickResult tick(HapticState& state, const haptics::ToolState& tool, const HapticParameters& parameters,
+TickResult tick(HapticState& state, const tool::ToolState& tool, const HapticParameters& parameters,
                 const DeviceTick& device = {}) noexcept;
 
 }  // namespace onggi::haptic

@@ -5,6 +5,15 @@
 #include <limits>
 
 namespace onggi::heritage {
+namespace {
+
+// A lump, and the walls that come of it.
+ThrownClay visitors_clay() {
+    constexpr double kVisitorsWallMm = 8.0;
+    return {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm};
+}
+
+}  // namespace
 
 bool is_of_two_bowls(const Target& target) {
     return target.note == "two joined bowls";
@@ -25,6 +34,29 @@ JarOfTwo jar_of_two(const Target& target, clay::ClayBody body, const ThrownClay&
     }
     jar.mouth_mm = 2.0 * target.outline.back().radius_mm * scale;
     return jar;
+}
+
+JarOfTwo jar_of(const Target& target) {
+    return jar_of_two(target, clay::ClayBody::kStoneware, visitors_clay());
+}
+
+ThrownSize size_on_this_wheel(const Target& target) {
+    if (is_of_two_bowls(target)) return jar_of(target).size;
+    return thrown_size(target, clay::ClayBody::kStoneware, visitors_clay());
+}
+
+std::vector<vec2> outline_of(const Target& target, double scale) {
+    constexpr int kSteps = 40;
+    std::vector<vec2> outline;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double y_mm = target.height_mm * i / kSteps;
+        outline.push_back(vec2(target.radius_at(y_mm) * scale, y_mm * scale));
+    }
+    return outline;
+}
+
+std::vector<vec2> wet_outline(const Target& target) {
+    return outline_of(target, size_on_this_wheel(target).wet_scale);
 }
 
 double off_round_mm(const clay::StudioClay& clay) {

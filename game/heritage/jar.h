@@ -21,6 +21,16 @@ struct JarOfTwo {
 // Both bowls are alike: the jar's lower half. `clay`: the clay for each bowl. Precondition: an outline.
 [[nodiscard]] JarOfTwo jar_of_two(const Target& target, clay::ClayBody body, const ThrownClay& clay);
 
+// A pot of a museum on this wheel: as large as its lump allows, with the walls that a visitor leaves, so that
+// what is shown can be thrown. A jar of two bowls: out of two lumps.
+[[nodiscard]] ThrownSize size_on_this_wheel(const Target& target);
+// What each of its bowls is. Precondition: is_of_two_bowls().
+[[nodiscard]] JarOfTwo jar_of(const Target& target);
+// Its outline, `scale` times its size: radius and height from below.
+[[nodiscard]] std::vector<vec2> outline_of(const Target& target, double scale);
+// The same at the size at which it is thrown, wet.
+[[nodiscard]] std::vector<vec2> wet_outline(const Target& target);
+
 // Deviation of the fired pot from round at its widest ring: the largest minus the smallest distance of its
 // wall from the axis of its foot, mm.
 [[nodiscard]] double off_round_mm(const clay::StudioClay& clay);

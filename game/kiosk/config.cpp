@@ -10,6 +10,7 @@
 
 #include "engine/core/number_in.h"
 #include "engine/core/quote.h"
+#include "game/kiosk/state.h"
 
 // Compiled header-only, because the packaged library throws exceptions. toml++'s assertions fail on malformed
 // input ("[!]"), and with NDEBUG clang takes them as optimiser hints. With both disabled, malformed input is

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "game/kiosk/step.h"
+#include "game/kiosk/rules.h"
 
 namespace onggi::kiosk {
 

@@ -1,33 +1,17 @@
-// The state of a visit: one plain value, which step() advances. Main thread, or a test's thread. Times are
-// seconds of the caller's monotonic clock.
+// The state of a visit: one plain value, which visit::advance() takes on. Main thread, or a test's thread.
+// Times are seconds of the caller's monotonic clock.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
-#include <string_view>
+
+#include "game/kiosk/screen.h"
+
+#include "game/tool/tool.h"
 
 namespace onggi::kiosk {
-
-enum class Screen {
-    kAttract,  // the wheel throws by itself
-    kChoose,
-    kJarStart,  // introduces a jar that is made of two bowls
-    kThrow,
-    kJoin,  // one bowl upside down on the other bowl
-    kFailure,
-    kFiring,  // the pot is cut off and dried, and fired after decorating
-    kTrim,    // the visitor trims the foot of the upturned pot
-    kDecorate,
-    kGlaze,
-    kYourPot,
-    kKeep,
-    kResume,  // a power cut left a pot on the wheel
-    kFault,
-};
-constexpr int kScreenCount = 14;
-
-// The overlay on the screen.
-enum class Panel { kNone, kLanguage, kIdle, kPin, kStaff, kCard };
-constexpr int kPanelCount = 6;
 
 // The card of the pot that stands beside the visitor's own.
 constexpr int kRelativesCard = -1;
@@ -46,6 +30,8 @@ struct Comfort {
 };
 
 constexpr int kTeachingSteps = 3;  // press, open, raise
+// What the wheel's own hands demonstrate: a teaching step, or the tool that is held.
+enum class ShownStep { kPress, kOpen, kRaise, kDrawTool };
 constexpr int kMostTool = 3;
 constexpr int kMostWater = 5;
 constexpr int kMostSpeed = 5;
@@ -55,9 +41,13 @@ constexpr int kMostTextSize = 3;
 enum class Warning { kNone, kThin, kWet, kFast };
 enum class FiringStage { kCut, kDry, kFire };
 
-// The tool in the hand while throwing.
-enum class Held { kHand, kRib, kSponge, kWire };
-constexpr int kHeldCount = 4;
+// What a hand may hold while it throws, in the order of the tray.
+constexpr std::array kTrayTools{tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire};
+// Precondition: it is one of them.
+[[nodiscard]] constexpr std::size_t tray_place(tool::Tool held) {
+    return static_cast<std::size_t>(std::find(kTrayTools.begin(), kTrayTools.end(), held) -
+                                    kTrayTools.begin());
+}
 
 // The steps of making a jar from two bowls, joined rim to rim. All but kAside and kJoin throw clay.
 enum class JarStep {
@@ -70,6 +60,12 @@ enum class JarStep {
 };
 constexpr int kJarSteps = 5;
 constexpr int kMostShiftMm = 8;
+
+// The jar of an interrupted visit.
+struct InterruptedJar {
+    JarStep step = JarStep::kNone;
+    int target = 0;  // index of the heritage pot
+};
 
 struct JarMaking {
     JarStep step = JarStep::kNone;
@@ -85,13 +81,11 @@ struct JarMaking {
 };
 
 struct Throwing {
-    std::optional<int> target{};  // index of the heritage pot; empty: free throwing
-    int steps_done = 0;           // 0 to kTeachingSteps; at the end: "now make it yours"
-    bool looks_in = false;        // the camera looks from above into the pot
-    // The step that the wheel's own hands demonstrate on the visitor's clay, counted from 0. kTeachingSteps
-    // stands for the tool that is held.
-    std::optional<int> shown{};
-    Held held = Held::kHand;
+    std::optional<int> target{};       // index of the heritage pot; empty: free throwing
+    int steps_done = 0;                // 0 to kTeachingSteps; at the end: "now make it yours"
+    bool looks_in = false;             // the camera looks from above into the pot
+    std::optional<ShownStep> shown{};  // what is demonstrated on the visitor's clay
+    tool::Tool held = tool::Tool::kHand;
     bool tray = false;  // the ledge shows the tray of tools
     int tool = 2;
     int water = 3;
@@ -136,12 +130,12 @@ struct Decorating {
 
 // When the visitor or the wheel's own hands last worked the clay; hints and demonstrations depend on it.
 struct Pace {
-    double progress_s = 0.0;                // time of the pot's last progress, or the start of the visit
-    double touched_s = -1.0;                // time of the last touch; -1 before the first touch
-    bool held = false;                      // the visitor's hand works the clay now
-    double shown_s = 0.0;                   // start of the current demonstration
-    double show_over_s = 0.0;               // end of the last demonstration
-    std::optional<int> seen_since_touch{};  // last demonstrated step; reset by a touch
+    double progress_s = 0.0;   // time of the pot's last progress, or the start of the visit
+    double touched_s = -1.0;   // time of the last touch; -1 before the first touch
+    bool held = false;         // the visitor's hand works the clay now
+    double shown_s = 0.0;      // start of the current demonstration
+    double show_over_s = 0.0;  // end of the last demonstration
+    std::optional<ShownStep> seen_since_touch{};  // last demonstrated step; reset by a touch
 };
 
 // The state of sharing a kept pot with a phone.
@@ -153,6 +147,9 @@ enum class Phone {
     kResting,  // sharing failed: disk full, no network
     kOver,     // the code expired, or the staff withdrew it
 };
+
+// What came of an attempt to share a pot.
+enum class ShareOutcome { kReady, kFailed, kOver };
 
 struct Keeping {
     enum class Outcome { kSaving, kKept, kFull } outcome = Outcome::kSaving;
@@ -218,20 +215,9 @@ struct State : ScreenState {
     double staff_used_s = 0.0;  // last use of the staff panel, for its timeout
     Pace pace;
     PinGuard pin_guard;
-    int house_volume = 3;              // as house_language, for the volume
-    bool interrupted_session = false;  // an interrupted pot can be resumed
-    int interrupted_jar = 0;           // packed by interrupted_jar(); 0: an ordinary pot
+    int house_volume = 3;                             // as house_language, for the volume
+    bool interrupted_session = false;                 // an interrupted pot can be resumed
+    std::optional<InterruptedJar> interrupted_jar{};  // empty: an ordinary pot
 };
-
-// A one-word name for titles and logs: "attract".
-[[nodiscard]] std::string_view name_of(Screen screen);
-[[nodiscard]] std::string_view name_of(Panel panel);  // empty for kNone
-[[nodiscard]] std::string_view name_of(Held held);    // empty for the bare hand
-
-// Whole seconds left of the idle panel's countdown.
-[[nodiscard]] int seconds_left(const State& state, double countdown_s, double now_s);
-
-// Whole seconds until a PIN digit is accepted again; 0: now.
-[[nodiscard]] int pin_seconds_left(const State& state, double now_s);
 
 }  // namespace onggi::kiosk

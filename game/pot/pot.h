@@ -2,6 +2,7 @@
 // another shape, and shared by all readers. Any thread; plain data. mm.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/math/dents.h"
@@ -35,6 +36,19 @@ struct Pot {
 
 // The outside from the foot up to the rim: (radius, height), heights rising. Precondition: a pot with rings.
 [[nodiscard]] std::vector<vec2> outer_outline(const Pot& pot);
+
+// Outer and inner radius of the pot at a height; inner 0 where it is solid, both 0 above and below it.
+struct Wall {
+    double outer_mm = 0.0;
+    double inner_mm = 0.0;
+};
+[[nodiscard]] Wall wall_at(const Pot& pot, double y_mm);
+// The wall at the uppermost ring.
+[[nodiscard]] Wall rim_of(const Pot& pot);
+// Whether the pot has no notable hollow.
+[[nodiscard]] bool is_solid(const Pot& pot);
+// Index of the ring at this height, the nearest one above and below the pot. 0 without rings.
+[[nodiscard]] std::size_t ring_at(const Pot& pot, double y_mm);
 
 // The pot at a stage of drying and firing: all lengths times clay::shrunk_scale.
 [[nodiscard]] Pot fired(Pot pot, clay::Firing stage);

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "engine/jobs/thread_setup.h"
-#include "game/screens/screens.h"
 
 namespace onggi::screens {
 namespace {
@@ -56,7 +55,7 @@ std::int64_t Composer::round(std::int64_t now_ns) noexcept {
     const bool is_other_screen = !shown_ || shown_->state.screen != request->state.screen;
     shown_ = request;
     const auto composed =
-        std::make_shared<const Composed>(Composed{request, compose(*request, *painter_, *store_)});
+        std::make_shared<const Composed>(Composed{request, compose_(*request, *painter_, *store_)});
     turning_.clear();
     for (const Item& item : composed->composition.items) {
         if (item.turning) turning_.emplace_back(item.key, item.turning);

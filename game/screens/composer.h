@@ -43,7 +43,9 @@ struct Composed {
 
 class Composer final : private jobs::IoWork {
   public:
-    Composer() = default;
+    using Compose = Composition (*)(const View& view, ui::Painter& painter, PaintingStore& store);
+
+    explicit Composer(Compose compose) : compose_(compose) {}
     ~Composer() override { stop(); }
 
     Result<void> start();
@@ -64,6 +66,7 @@ class Composer final : private jobs::IoWork {
     void finish() noexcept override;
     [[nodiscard]] std::int64_t turn_pots(std::int64_t now_ns);
 
+    const Compose compose_;
     jobs::Mailbox<std::shared_ptr<const View>> requests_;
     jobs::Mailbox<std::shared_ptr<const Composed>> done_;
     jobs::Mailbox<std::shared_ptr<const TurnedPots>> turned_;

@@ -6,9 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "game/screens/page/design.h"
-#include "game/screens/screens.h"
-
 namespace onggi::screens {
 namespace {
 
@@ -427,6 +424,13 @@ void add_forces(Page& page) {
                                                            !state.device_lost && !state.force_rests);
     if (state.comfort.forces && has_room) add_panel(page, *parts);
     page.keep_forces(std::move(parts));
+}
+
+Composition compose_forces(const View& view, ui::Painter& painter, PaintingStore& store) {
+    Page page(view, painter, store);
+    add_forces(page);
+    store.forget_unused();
+    return page.take();
 }
 
 void draw_force_panel(const ForceFrame& frame, const ForceParts& parts, const ForcePainter& painter) {

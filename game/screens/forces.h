@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/ui/draw_list.h"
-#include "game/screens/page/composition.h"
+#include "game/screens/page/page.h"
 
 namespace onggi::screens {
 
@@ -89,6 +89,10 @@ struct ForcePainter {
 // The line and head of one force; they differ in form too, so that colour is never the only sign.
 void draw_arrow(ui::DrawList& list, Force force, vec2 from_px, vec2 to_px, float px_per_u);
 void draw_touches(const ForceFrame& frame, const ForceParts& parts, const ForcePainter& painter);
+// What forces are shown with on a page, and the panel where the visitor asked for it. The composer's thread.
+void add_forces(Page& page);
+// Nothing but that, over a picture that plays by itself.
+[[nodiscard]] Composition compose_forces(const View& view, ui::Painter& painter, PaintingStore& store);
 // What changes in the panel: its numbers and plots.
 void draw_force_panel(const ForceFrame& frame, const ForceParts& parts, const ForcePainter& painter);
 

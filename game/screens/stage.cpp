@@ -31,11 +31,7 @@ bool is_other_screen(const Composed& one, const Composed& other) {
 // The duration of the transition.
 double change_s(const Composed& before, const Composed& now) {
     if (is_still(now)) return kChangeStillS;
-    const auto is_shown_by_itself = [](const Composed& one) {
-        return one.view->state.screen == kiosk::Screen::kAttract &&
-               one.view->state.panel == kiosk::Panel::kNone;
-    };
-    return is_shown_by_itself(before) && is_shown_by_itself(now) ? kAttractChangeS : kChangeS;
+    return before.composition.plays_by_itself && now.composition.plays_by_itself ? kAttractChangeS : kChangeS;
 }
 
 bool are_alike(const Item& a, const Item& b) {

@@ -11,8 +11,8 @@
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
 #include "game/pot/pot.h"
-#include "game/wheel/framing.h"
 #include "game/wheel/shavings.h"
+#include "game/wheel/tool_models.h"
 #include "game/wheel/tool_pose.h"
 #include "game/wheel/workshop_files.h"
 
@@ -40,44 +40,61 @@ struct Transform {
     dvec3 position_mm{0.0};
 };
 
-// The turning wheel head. The clay turns with it.
-struct Wheel {
-    dvec2 direction{1.0, 0.0};  // (cos, sin) of the angle turned, counter-clockwise from above
-    bool turning = false;
-};
-
-// The clay on the wheel during one frame, and how to show it.
+// How the pot on the wheel is shown, whichever it is.
 struct Clay {
-    const pot::Pot* pot = nullptr;  // from WheelView
-    render::LatheMaterial material{};
-    std::vector<float> wetness{};  // how much water darkens each ring
     bool shows_load = false;
-    const render::LatheMarks* marks = nullptr;  // from WheelView
-    bool is_cut_open = false;                   // towards the camera
+    bool is_cut_open = false;  // towards the camera
     float edge_rounding_mm = 0.0F;
+    std::vector<float> wetness{};  // how much water darkens each ring; of the last frame
 };
 
-// A hand and its tool: drawn as the contact ball, or as hand and tool.
-struct Tool {
-    ToolSight sight{};
+// A pot apart from the haptic loop's clay: set aside, dried, fired or turned over. What it points to must
+// live until the component is replaced or removed.
+struct PotApart {
+    const pot::Pot* pot = nullptr;
+    const render::LatheMaterial* material = nullptr;  // null: as its body and stage look
+    const render::LatheMarks* marks = nullptr;        // on its outside; null: none
+};
+// It stands on the wheel, where it is seen instead of the loop's clay.
+struct OnWheel {
+    std::optional<dvec2> direction{};  // (cos, sin) of the angle turned; empty: with the wheel
+};
+// It is held upside down over the rim of the loop's clay, shifted in the clay's frame.
+struct HeldOver {
+    vec2 shift_mm{0.0F};
+};
+
+// One of the two hands: drawn as the contact ball, or as hand and tool.
+struct Hand {
+    bool is_second = false;
+    bool is_away = false;  // not drawn, wherever the loop has it
     ToolPose pose{};
-    bool as_ball = true;
+};
+// The program leads this hand, instead of the haptic loop.
+struct Led {
+    DrawnHand hand{};
 };
 
-// A trimmer's shavings.
+// A trimmer's shavings: they fall from the place of the cut, and lie about until nothing is shaved any more.
 struct Shaved {
+    double shaved_mm3 = 0.0;  // since the trimmer was taken up
+    dvec3 from_mm{0.0};
     Shavings shavings{};
 };
 
-// Tools on the bench that the photographs do not show, because they can be taken from it.
-struct OnBench {
-    bool rib = false;
+// A tool whose place is on the bench.
+struct BenchTool {
+    ToolModel model = ToolModel::kRib;
+    bool is_photographed = true;  // else it is drawn while it lies there
+    bool lies_there = true;
+    double yaw_rad = 0.0;  // as in placed()
+    double lean_rad = 0.0;
 };
 
-// The wire that cuts off the pot or its rim.
+// The wire that cuts off the pot or its rim. Held ready at a height, it hides the hands at its ends; else it
+// is seen while the haptic loop cuts.
 struct Wire {
-    bool shown = false;
-    double height_mm = 0.0;
+    std::optional<double> held_mm{};
 };
 
 // Models of the tools; see load_tool_models(). With the ball alone, all tools are drawn as balls.

@@ -6,9 +6,8 @@
 
 #include "engine/jobs/thread_setup.h"
 #include "engine/window/window.h"
-#include "game/wheel/background_loader.h"
 #include "game/wheel/live_screen.h"
-#include "game/wheel/wheel_scene.h"
+#include "game/wheel/workshop_files.h"
 
 namespace onggi::wheel {
 
@@ -28,7 +27,7 @@ struct LiveView::Impl {
     [[nodiscard]] int width() const { return static_cast<int>(screen->extent().width); }
     [[nodiscard]] int height() const { return static_cast<int>(screen->extent().height); }
     Result<void> open(const LiveViewOptions& options);
-    Result<bool> draw(const WheelView& shown, double dt_s, const render::Overlay* overlay);
+    Result<bool> draw(const haptic::Snapshot& snapshot, double dt_s, const render::Overlay* overlay);
     void follow_shape();
 };
 
@@ -64,6 +63,7 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     jobs::give_back_code();
     // Drawing once compiles each pipeline: a lump with hands needs most of them, and one with a ball the
     // rest, if a ball will be shown.
+    constexpr double kAboveMm = 260.0;
     pot::Pot lump;
     lump.outer_mm.assign(200, 60.0F);
     lump.height_mm = 200.0;
@@ -73,7 +73,9 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     const bool has_ball = options.paper || !scene->has_tools();
     for (const bool with_hands : {true, false}) {
         if (!with_hands && !has_ball) continue;
-        auto warmed = draw({.pot = with_hands ? &with_tops : &lump}, 0.0, nullptr);
+        auto warmed =
+            draw({.tool = {.position_mm = {0.0, kAboveMm, 0.0}}, .pot = with_hands ? &with_tops : &lump}, 0.0,
+                 nullptr);
         if (!warmed) return warmed.error();
         if (auto waited = screen->wait(); !waited) return waited;
     }
@@ -103,11 +105,12 @@ void LiveView::Impl::follow_shape() {
         remarks.push_back(started.error().message);
 }
 
-Result<bool> LiveView::Impl::draw(const WheelView& shown, double dt_s, const render::Overlay* overlay) {
+Result<bool> LiveView::Impl::draw(const haptic::Snapshot& snapshot, double dt_s,
+                                  const render::Overlay* overlay) {
     if (width() == 0 || height() == 0) return false;
     follow_shape();
     scene->sway(may_sway && render::has_time_for_moving_camera(screen->quality()));
-    auto drawn = screen->draw(scene->apply(shown, width(), height(), dt_s), overlay, dt_s, !may_sway);
+    auto drawn = screen->draw(scene->apply(snapshot, width(), height(), dt_s), overlay, dt_s, !may_sway);
     if (drawn && *drawn && screen->stats().next_view_ready) scene->next_view_is_ready();
     return drawn;
 }
@@ -158,8 +161,8 @@ void LiveView::set_full_screen(bool full_screen) {
     impl_->window->set_full_screen(full_screen);
 }
 
-Result<bool> LiveView::draw(const WheelView& shown, double dt_s, const render::Overlay* overlay) {
-    auto drawn = impl_->draw(shown, dt_s, overlay);
+Result<bool> LiveView::draw(const haptic::Snapshot& snapshot, double dt_s, const render::Overlay* overlay) {
+    auto drawn = impl_->draw(snapshot, dt_s, overlay);
     if (!drawn) return drawn;
     const std::vector<std::string>& messages = impl_->screen->messages();
     if (!messages.empty()) {
@@ -169,23 +172,12 @@ Result<bool> LiveView::draw(const WheelView& shown, double dt_s, const render::O
     return drawn;
 }
 
-void LiveView::look_at(View view) {
-    impl_->scene->look_at(view);
+WheelScene& LiveView::scene() {
+    return *impl_->scene;
 }
-void LiveView::set_framing(const Framing& framing) {
-    impl_->scene->set_framing(framing);
-}
-void LiveView::jump() {
-    impl_->scene->jump();
-}
-void LiveView::move_less(bool less) {
-    impl_->scene->move_less(less);
-}
+
 void LiveView::sway(bool sways) {
     impl_->may_sway = sways;
-}
-void LiveView::set_evening(double evening) {
-    impl_->scene->set_evening(evening);
 }
 
 Result<void> LiveView::wait() {

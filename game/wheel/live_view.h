@@ -17,8 +17,8 @@
 #include "engine/vk/health.h"
 #include "engine/window/events.h"
 #include "engine/window/gamepad.h"
-#include "game/wheel/framing.h"
-#include "game/wheel/wheel_view.h"
+#include "game/haptic/messages.h"
+#include "game/wheel/wheel_scene.h"
 #include "game/wheel/workshop_files.h"
 
 namespace onggi::wheel {
@@ -65,20 +65,15 @@ class LiveView {
     // the previous frame to leave the device, and for no clock. Returns true if a frame was drawn; false
     // while the window is minimised or between two sizes. An overlay is drawn over the scene or instead of
     // it.
-    Result<bool> draw(const WheelView& shown, double dt_s = 1.0 / 60.0,
+    Result<bool> draw(const haptic::Snapshot& snapshot, double dt_s = 1.0 / 60.0,
                       const render::Overlay* overlay = nullptr);
 
-    // Camera view, idle swaying, and evening from 0 (day) to 1. Each transition takes about a second and
-    // needs the photographed room; without it only the evening has an effect. On a processor, which has no
-    // time for a moving camera, the camera does not sway, and cuts to another view some frames later, with a
-    // fade of a quarter of a second.
-    void look_at(View view);
-    void set_framing(const Framing& framing);
+    // What is shown beside the snapshot: view, evening, hands, tools and pots.
+    [[nodiscard]] WheelScene& scene();
+
+    // Sways the camera slowly from side to side while nobody works. Needs the photographed room, and a device
+    // with time for a moving camera, which a processor is not.
     void sway(bool sways);
-    void move_less(bool less);  // for visitors who prefer less motion: cuts without fades
-    void set_evening(double evening);
-    // The next frame cuts to the wanted view: for use while another screen covers the scene.
-    void jump();
 
     // Waits until the last frame has left the device; its duration is known only then.
     Result<void> wait();

@@ -27,9 +27,9 @@ struct SectionMeasure {
 // The measure as text: "6.4 mm".
 [[nodiscard]] std::string words_of(const SectionMeasure& measure);
 
-// The measures as tags beside the section that faces this camera, at the wheel's angle (WheelView), each with
-// a line to its wall; walls to the right, the floor to the left, without overlap. Empty if the pot is solid
-// or the picture too small to read them.
+// The measures as tags beside the section that faces this camera, at the wheel's angle (cos, sin), each
+// with a line to its wall; walls to the right, the floor to the left, without overlap. Empty if the pot is
+// solid or the picture too small to read them.
 [[nodiscard]] ui::Sketch section_labels(const pot::Pot& pot, const dvec2& wheel_direction,
                                         const render::Camera& camera, int width_px, int height_px,
                                         ui::Painter& painter);

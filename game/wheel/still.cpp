@@ -6,22 +6,20 @@
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/section_labels.h"
-#include "game/wheel/still_camera.h"
 #include "game/wheel/wheel_scene.h"
 
 namespace onggi::wheel {
 namespace {
 
-// Sets the scene's view, and returns the WheelView with hands and wire removed where the view does not show
-// them.
-WheelView set_view(WheelScene& scene, WheelView shown, StillView view) {
+// Sets the scene's view, and returns the snapshot without a cut of the wire where the view does not show it.
+haptic::Snapshot set_view(WheelScene& scene, const haptic::Snapshot& snapshot, StillView view) {
     scene.look_at(view == StillView::kLookingIn ? View::kLookingIn : View::kThrowing);
     Clay& clay = scene.registry().get<Clay>(scene.clay());
     clay.is_cut_open = clay.shows_load = view == StillView::kCutaway;
-    if (view == StillView::kPortrait || view == StillView::kCutaway) {
-        shown.hand.shown = shown.second_hand.shown = false;
-        shown.wire_shown = false;
-    }
+    const bool shows_work = view == StillView::kThrowing || view == StillView::kLookingIn;
+    scene.show_hands(shows_work);
+    haptic::Snapshot shown = snapshot;
+    if (!shows_work) shown.tool.wire = tool::Wire::kNone;
     return shown;
 }
 
@@ -88,11 +86,15 @@ void StillCamera::forget() {
     parts_->opened.scene->forget_hands();
 }
 
-Result<asset::Image> StillCamera::take(const WheelView& given, StillView view) {
+WheelScene& StillCamera::scene() {
+    return *parts_->opened.scene;
+}
+
+Result<asset::Image> StillCamera::take(const haptic::Snapshot& snapshot, StillView view) {
     Parts& parts = *parts_;
     asset::Image image{.width = parts.width, .height = parts.height, .rgba = {}};
-    const WheelView shown = set_view(*parts.opened.scene, given, view);
-    const render::Scene& seen = parts.opened.scene->apply(shown, parts.width, parts.height);
+    const haptic::Snapshot shown = set_view(scene(), snapshot, view);
+    const render::Scene& seen = scene().apply(shown, parts.width, parts.height);
     if (parts.beauty) {
         render::Accumulation mean(parts.width, parts.height);
         for (int sample = 0; sample < kBeautySamples; ++sample) {
@@ -109,8 +111,8 @@ Result<asset::Image> StillCamera::take(const WheelView& given, StillView view) {
     if (auto silent = parts.check_silence(); !silent) return silent.error();
     if (view == StillView::kCutaway) {
         ui::Painter painter;
-        lay_over(image, painter.paint(section_labels(*shown.pot, shown.wheel_direction, seen.camera,
-                                                     parts.width, parts.height, painter)));
+        lay_over(image, painter.paint(section_labels(*scene().seen().pot, scene().seen().direction,
+                                                     seen.camera, parts.width, parts.height, painter)));
     }
     return image;
 }
@@ -122,11 +124,11 @@ Result<void> StillCamera::close() {
     return parts_->check_silence();
 }
 
-Result<asset::Image> render_still(const WheelView& shown, int width, int height,
+Result<asset::Image> render_still(const haptic::Snapshot& snapshot, int width, int height,
                                   const StillOptions& options) {
     auto camera = StillCamera::create(width, height, options);
     if (!camera) return camera.error();
-    auto image = (*camera)->take(shown, options.view);
+    auto image = (*camera)->take(snapshot, options.view);
     if (auto closed = (*camera)->close(); image && !closed) return closed.error();
     return image;
 }

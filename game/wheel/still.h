@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
-#include "game/wheel/wheel_view.h"
+#include "game/haptic/messages.h"
+#include "game/wheel/wheel_scene.h"
 
 namespace onggi::wheel {
 
@@ -31,8 +33,33 @@ struct StillOptions {
     bool validation = false;  // with VK_LAYER_KHRONOS_validation; any message is then an error
 };
 
-// width and height in pixels, 16 to 8192 each, else bad input. Without a Vulkan device: system lacks.
-Result<asset::Image> render_still(const WheelView& shown, int width, int height,
+// Takes pictures of one size, one after another; shared resources are created once.
+class StillCamera {
+  public:
+    // width and height in pixels, 16 to 8192 each, else bad input. Without a Vulkan device: system lacks.
+    static Result<std::unique_ptr<StillCamera>> create(int width, int height,
+                                                       const StillOptions& options = {});
+    ~StillCamera();
+    StillCamera(const StillCamera&) = delete;
+    StillCamera& operator=(const StillCamera&) = delete;
+
+    // What is shown beside the snapshot. take() sets the view and whether hands are shown.
+    [[nodiscard]] WheelScene& scene();
+    // Resets the hands' poses, for a picture of another pot.
+    void forget();
+    // With validation, any message so far is an error.
+    Result<asset::Image> take(const haptic::Snapshot& snapshot, StillView view);
+    // Releases the device and reports late validation messages. No picture can be taken after it.
+    Result<void> close();
+
+  private:
+    StillCamera();
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+// One picture, as by a StillCamera.
+Result<asset::Image> render_still(const haptic::Snapshot& snapshot, int width, int height,
                                   const StillOptions& options = {});
 
 }  // namespace onggi::wheel

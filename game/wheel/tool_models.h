@@ -28,9 +28,6 @@ enum class ToolModel : std::size_t {
 constexpr std::size_t kToolModels = static_cast<std::size_t>(ToolModel::kCount);
 constexpr float kBallRadiusMm = 10.0F;
 
-// Place of the rib on the bench of assets/workshop, which has a gap for it.
-constexpr dvec3 kRibOnBenchMm{268.0, -22.0, -58.0};
-
 // Index of a model, or of its mirror image in z for a left hand.
 [[nodiscard]] constexpr std::size_t library_place(ToolModel model, bool left) {
     return static_cast<std::size_t>(model) + (left ? kToolModels : 0);

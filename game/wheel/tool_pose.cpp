@@ -44,19 +44,19 @@ double eased(double from, double to, double dt_s, double time_s) {
 }
 
 // The largest lean outwards from upright for an arm from above: it must pass through the mouth, not the wall.
-double most_lean_through_mouth(const ToolSight& sight, const dvec3& touch) {
+double most_lean_through_mouth(const DrawnHand& hand, const dvec3& touch) {
     constexpr double kShaftMm = 4.0;
     constexpr double kAtRimMm = 25.0;  // nearer to the rim there is no obstacle
     const double reach_mm = std::hypot(touch.x, touch.z);
-    return std::atan2(sight.mouth_radius_mm - kShaftMm - reach_mm, std::max(sight.below_rim_mm, kAtRimMm));
+    return std::atan2(hand.mouth_radius_mm - kShaftMm - reach_mm, std::max(hand.below_rim_mm, kAtRimMm));
 }
 
 double wrapped(double angle_rad) {
     return std::remainder(angle_rad, kTurn);
 }
 
-bool is_inside(clay::studio::Side side) {
-    return side == clay::studio::Side::kIn;
+bool is_inside(tool::Side side) {
+    return side == tool::Side::kIn;
 }
 
 // Horizontal direction from the axis; the visitor's right near the axis.
@@ -67,8 +67,8 @@ dvec2 outwards(const dvec3& at_mm) {
 }
 
 // Direction from the clay to the hand.
-dvec3 reach_of(const dvec3& at_mm, clay::studio::Side side) {
-    if (side == clay::studio::Side::kTop) return {0.0, 1.0, 0.0};
+dvec3 reach_of(const dvec3& at_mm, tool::Side side) {
+    if (side == tool::Side::kTop) return {0.0, 1.0, 0.0};
     const dvec2 out = outwards(at_mm);
     return is_inside(side) ? dvec3(-out.x, 0.0, -out.y) : dvec3(out.x, 0.0, out.y);
 }
@@ -89,14 +89,15 @@ render::Sphere shadow_of(const Ball& ball, const mat4& place, bool left) {
 }
 
 // Distance between the clay and the finger tips that hold a tool, mm.
-double depth_of(clay::StudioTool kind) {
+double depth_of(tool::Tool kind) {
     switch (kind) {
-        case clay::StudioTool::kRib:
+        case tool::Tool::kRib:
             return 30.0;
-        case clay::StudioTool::kSponge:
+        case tool::Tool::kSponge:
             return 24.0;
-        case clay::StudioTool::kHand:
-        case clay::StudioTool::kTrimmer:
+        case tool::Tool::kHand:
+        case tool::Tool::kTrimmer:
+        case tool::Tool::kWire:
             break;
     }
     return 0.0;
@@ -110,71 +111,70 @@ mat4 placed(const dvec3& at_mm, double yaw_rad, double pitch_rad) {
     return mat4(glm::rotate(place, pitch_rad, dvec3(0.0, 0.0, 1.0)));
 }
 
-void ToolPose::settle(const ToolSight& sight) {
-    const clay::studio::Side was = side_;
+void ToolPose::settle(const DrawnHand& hand) {
+    const tool::Side was = side_;
     const bool was_left = left_;
     const bool was_narrow = narrow_;
-    if (sight.side != clay::studio::Side::kFree) side_ = sight.side;
-    if (!is_known_ && side_ == clay::studio::Side::kFree)
-        side_ = sight.is_assistant ? clay::studio::Side::kIn : clay::studio::Side::kOut;
-    const bool only_tips = sight.guided && sight.below_rim_mm < kTipsMm;
-    const double room_mm = only_tips ? 2.0 * sight.mouth_radius_mm : sight.mouth_radius_mm;
+    if (hand.side != tool::Side::kFree) side_ = hand.side;
+    if (!is_known_ && side_ == tool::Side::kFree) side_ = hand.is_second ? tool::Side::kIn : tool::Side::kOut;
+    const bool only_tips = hand.guided && hand.below_rim_mm < kTipsMm;
+    const double room_mm = only_tips ? 2.0 * hand.mouth_radius_mm : hand.mouth_radius_mm;
     if (room_mm < kNarrowMm) narrow_ = true;
     if (room_mm > kWideMm) narrow_ = false;
     // Outside, each hand works on its own side of the pot; inside, it reaches over and presses the other way.
-    const double across = is_inside(side_) ? -sight.centre_mm.x : sight.centre_mm.x;
+    const double across = is_inside(side_) ? -hand.position_mm.x : hand.position_mm.x;
     if (!is_known_ || std::abs(across) > kSideChangeMm) left_ = across < 0.0;
-    const bool changed = is_known_ && (kind_ != sight.kind || is_inside(was) != is_inside(side_) ||
+    const bool changed = is_known_ && (tool_ != hand.tool || is_inside(was) != is_inside(side_) ||
                                        was_left != left_ || (is_inside(side_) && was_narrow != narrow_));
-    kind_ = sight.kind;
+    tool_ = hand.tool;
     if (changed) away_mm_ = std::max(away_mm_, kChangeMm);
 }
 
-bool ToolPose::leaps_to(const ToolSight& sight) const {
-    const dvec3 touch = sight.centre_mm - sight.radius_mm * reach_of(sight.centre_mm, sight.side);
-    return glm::length(touch - touch_mm_) > kLeapMm || is_inside(sight.side) != is_inside(side_);
+bool ToolPose::leaps_to(const DrawnHand& hand) const {
+    const dvec3 touch = hand.position_mm - hand.radius_mm * reach_of(hand.position_mm, hand.side);
+    return glm::length(touch - touch_mm_) > kLeapMm || is_inside(hand.side) != is_inside(side_);
 }
 
-void ToolPose::follow(const ToolSight& sight, double dt_s) {
-    if (is_known_ && dt_s > 0.0 && sight.guided && sight.shown && leaps_to(sight)) {
+void ToolPose::follow(const DrawnHand& hand, double dt_s) {
+    if (is_known_ && dt_s > 0.0 && hand.guided && hand.shown && leaps_to(hand)) {
         away_mm_ = eased(away_mm_, 1.1 * kGoneMm, dt_s, kLeaveS);
         if (away_mm_ < kGoneMm) return;
         is_known_ = false;
     }
     const bool was_known = is_known_;
-    settle(sight);
+    settle(hand);
     is_known_ = true;
 
-    const dvec2 out = outwards(sight.centre_mm);
+    const dvec2 out = outwards(hand.position_mm);
     const dvec2 normal = is_inside(side_) ? -out : out;
-    const bool from_above = side_ == clay::studio::Side::kTop;
-    const dvec3 touch = sight.centre_mm - sight.radius_mm * reach_of(sight.centre_mm, side_);
+    const bool from_above = side_ == tool::Side::kTop;
+    const dvec3 touch = hand.position_mm - hand.radius_mm * reach_of(hand.position_mm, side_);
 
     // Angle from straight sideways: positive is towards the back. The model's own +X points out of the clay.
     const bool leads_right = !left_;
     const double round = std::atan2(-normal.y, leads_right ? normal.x : -normal.x);
     const double held = std::clamp(round, -kMostToFront, kMostToBack);
     const double yaw = leads_right ? held : kPi - held;
-    double lean = std::atan(sight.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
+    double lean = std::atan(hand.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
     double lowest = -std::asin(std::clamp((touch.y - kWheelClearanceMm) / kReachMm, 0.0, 1.0));
-    if (sight.guided && is_inside(side_) && sight.below_rim_mm > 0.0) {
-        lean = std::min(lean, most_lean_through_mouth(sight, touch));
+    if (hand.guided && is_inside(side_) && hand.below_rim_mm > 0.0) {
+        lean = std::min(lean, most_lean_through_mouth(hand, touch));
         lowest = -kMostLean;  // a hand from above has no wheel below it
     }
-    const double above = sight.digs ? kDigs : sight.guided ? kFlatOnRim : kFromAbove;
+    const double above = hand.digs ? kDigs : hand.guided ? kFlatOnRim : kFromAbove;
     const double pitch = from_above ? above : std::clamp(lean, std::max(lowest, -kMostLean), kMostLean);
 
     const double dt = was_known ? dt_s : 0.0;
     const bool jumps = away_mm_ >= kChangeMm;  // a hand that comes back takes its new angles at once
-    const double follow_s = !sight.guided ? kFollowS : sight.touching ? kFollowFingerS : kHoverS;
+    const double follow_s = !hand.guided ? kFollowS : hand.touching ? kFollowFingerS : kHoverS;
     for (int axis = 0; axis < 3; ++axis)
         touch_mm_[axis] = eased(touch_mm_[axis], touch[axis], dt, follow_s);
     yaw_rad_ = jumps ? yaw : yaw_rad_ + eased(0.0, wrapped(yaw - yaw_rad_), dt, kTurnS);
     pitch_rad_ = jumps ? pitch : eased(pitch_rad_, pitch, dt, kTurnS);
     // In a moving picture a new hand comes from away.
     if (!was_known && dt_s > 0.0) away_mm_ = kGoneMm;
-    away_mm_ = eased(away_mm_, sight.shown ? 0.0 : 1.1 * kGoneMm, dt_s, kComeS);
-    if (sight.shown && away_mm_ < 0.05) away_mm_ = 0.0;
+    away_mm_ = eased(away_mm_, hand.shown ? 0.0 : 1.1 * kGoneMm, dt_s, kComeS);
+    if (hand.shown && away_mm_ < 0.05) away_mm_ = 0.0;
 }
 
 ToolPicture ToolPose::picture() const {
@@ -199,10 +199,10 @@ ToolPicture ToolPose::picture() const {
         cast(kToolBall, 0.0);
         return picture;
     }
-    const double depth = depth_of(kind_);
-    if (kind_ == clay::StudioTool::kRib) show(ToolModel::kRib, 0.0);
-    if (kind_ == clay::StudioTool::kSponge) show(ToolModel::kSponge, 0.0);
-    if (kind_ == clay::StudioTool::kTrimmer) {
+    const double depth = depth_of(tool_);
+    if (tool_ == tool::Tool::kRib) show(ToolModel::kRib, 0.0);
+    if (tool_ == tool::Tool::kSponge) show(ToolModel::kSponge, 0.0);
+    if (tool_ == tool::Tool::kTrimmer) {
         // The model's handle hangs 24 degrees below level; a potter holds it the same angle above the wheel.
         show(ToolModel::kTrimmer, 0.0);
         mat4& held = picture.tools.back().place;

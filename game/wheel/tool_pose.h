@@ -12,20 +12,23 @@
 
 namespace onggi::wheel {
 
-// One hand's state from the loop, and the clay around it.
-struct ToolSight {
-    dvec3 centre_mm{0.0, 260.0, 0.0};  // of the contact ball
+// One hand with its tool, as it is seen, and the pot around it.
+struct DrawnHand {
+    dvec3 position_mm{0.0, 260.0, 0.0};  // centre of the contact ball
     double radius_mm = 10.0;
-    clay::StudioTool kind = clay::StudioTool::kHand;
-    clay::studio::Side side = clay::studio::Side::kFree;
+    tool::Tool tool = tool::Tool::kHand;
+    tool::Side side = tool::Side::kFree;
     bool shown = true;
     bool touching = false;
+    // Of the pot that is seen; see meet().
     double wall_lean = 0.0;        // slope dR/dy of the touched face
     double mouth_radius_mm = 0.0;  // of the pot's opening; 0 without one
-    bool is_assistant = false;     // the second hand
     double below_rim_mm = 0.0;     // depth of the touch below the rim
-    bool guided = false;           // see HandView
-    bool digs = false;
+    bool is_second = false;        // the hand that assists the first
+    // Follows a finger on a screen, which may jump: the hand then goes and comes back, and moves more slowly
+    // while it hovers.
+    bool guided = false;
+    bool digs = false;  // with the thumbs straight down; `side` is the top
 };
 
 // A tool to draw.
@@ -42,22 +45,22 @@ struct ToolPicture {
 class ToolPose {
   public:
     // Advances by dt_s (0: takes the final pose at once, as for a still).
-    void follow(const ToolSight& sight, double dt_s);
+    void follow(const DrawnHand& hand, double dt_s);
     [[nodiscard]] ToolPicture picture() const;
 
     // Distance of a hand that comes or goes from the clay, mm; 0 at the clay.
     [[nodiscard]] double away_mm() const { return away_mm_; }
 
   private:
-    void settle(const ToolSight& sight);
+    void settle(const DrawnHand& hand);
     // Whether the hand's new place is so far away that clay may be in between.
-    [[nodiscard]] bool leaps_to(const ToolSight& sight) const;
+    [[nodiscard]] bool leaps_to(const DrawnHand& hand) const;
 
     bool is_known_ = false;
-    clay::StudioTool kind_ = clay::StudioTool::kHand;
-    clay::studio::Side side_ = clay::studio::Side::kFree;  // the last side other than kFree
-    bool left_ = false;                                    // a left hand
-    bool narrow_ = false;                                  // inside an opening too narrow for a hand
+    tool::Tool tool_ = tool::Tool::kHand;
+    tool::Side side_ = tool::Side::kFree;  // the last side other than kFree
+    bool left_ = false;                    // a left hand
+    bool narrow_ = false;                  // inside an opening too narrow for a hand
     dvec3 touch_mm_{0.0};
     double yaw_rad_ = 0.0;    // of the model's +X about +Y
     double pitch_rad_ = 0.0;  // lean about the model's +Z

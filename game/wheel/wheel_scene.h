@@ -1,8 +1,9 @@
-// The potter's-wheel scene: its entities and the frame built from them. Wheel, clay, tool, camera, lights and
-// the still life are entities of one registry, and the drawn scene comes only from this registry. Main
-// thread.
+// The potter's-wheel scene: its entities and the frame built from them. Hands, tools on the bench, pots
+// beside the haptic loop's clay, camera, lights and the still life are entities of one registry; the drawn
+// scene comes only from this registry and the loop's snapshot. Main thread.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,13 +11,38 @@
 #include <vector>
 
 #include "engine/ecs/registry.h"
-#include "engine/ecs/schedule.h"
 #include "engine/render/scene.h"
-#include "game/wheel/room_model.h"
-#include "game/wheel/systems.h"
-#include "game/wheel/wheel_view.h"
+#include "game/haptic/messages.h"
+#include "game/wheel/components.h"
+#include "game/wheel/workshop.h"
 
 namespace onggi::wheel {
+
+// The pot that is seen on the wheel in a frame.
+struct SeenPot {
+    const pot::Pot* pot = nullptr;
+    const render::LatheMaterial* material = nullptr;  // as in PotApart
+    const render::LatheMarks* marks = nullptr;
+    dvec2 direction{1.0, 0.0};  // (cos, sin) of the angle turned, counter-clockwise from above
+    bool is_apart = false;      // not the haptic loop's clay alone
+    // Its clay where it sticks to hands and tools.
+    vec3 smear{0.3F};
+    float wetness = 0.0F;
+};
+
+// Input and output of a frame.
+struct FrameContext {
+    const haptic::Snapshot* snapshot = nullptr;  // with its pot
+    int width_px = 0;
+    int height_px = 0;
+    double dt_s = 0.0;    // since the previous frame; 0: everything is at its goal, as in a still
+    render::Scene scene;  // its spans point into the seen pot and the Clay component
+    SeenPot seen;
+    pot::Pot stacked;  // the clay and the pot that is held over it
+};
+
+// The light levels at an evening of 0 to 1: the sun goes, the window dims, a warm lamp stays on the wheel.
+[[nodiscard]] render::LightLevels light_levels(double evening);
 
 class WheelScene {
   public:
@@ -33,18 +59,37 @@ class WheelScene {
     [[nodiscard]] bool has_backgrounds();
     [[nodiscard]] std::shared_ptr<const Workshop> workshop();  // null without one
     // Requests another view. The camera cuts to it once a frame reports it as ready (see render::FrameStats),
-    // and fades it in.
+    // and fades it in within a quarter of a second. Needs the photographed room.
     void look_at(View view);
     void set_framing(const Framing& framing);
     void next_view_is_ready();
-    void move_less(bool less);  // cuts without fades
+    void move_less(bool less);  // for visitors who prefer less motion: cuts without fades
     void jump();                // cuts to the wanted view in the next frame, while the scene is covered
     void sway(bool sways);      // slowly from side to side, while the wheel is idle
-    void set_evening(double evening);  // 0 day to 1 evening, in about a second
+    void set_evening(double evening);  // 0 day to 1 evening, in about a second; in any room
 
     // Runs every system for a picture of this size, dt_s after the previous one (0: a still, without
-    // animation). The returned scene is valid until the next call.
-    const render::Scene& apply(const WheelView& shown, int width_px, int height_px, double dt_s = 0.0);
+    // animation). The snapshot must have its pot. The returned scene is valid until the next call, and as
+    // long as the pot that is seen.
+    const render::Scene& apply(const haptic::Snapshot& snapshot, int width_px, int height_px,
+                               double dt_s = 0.0);
+
+    // The pot that apply() found on the wheel.
+    [[nodiscard]] const SeenPot& seen() const { return context_.seen; }
+
+    // The program's part beside the haptic loop; all of it stays until it is set again.
+    void show_hands(bool shown);
+    // The program leads both hands itself. Empty: the loop does.
+    void lead_hands(const std::optional<std::array<DrawnHand, 2>>& hands);
+    // The wire is held ready to cut at this height; see Wire.
+    void hold_wire(const std::optional<double>& height_mm);
+    // Volume cut off since the trimmer was taken up, and the place of the cut; 0 clears the shavings away.
+    void shave(double shaved_mm3, const dvec3& from_mm);
+    // Whether the tool lies at its place on the bench.
+    void lay_on_bench(ToolModel tool, bool lies_there);
+    // Another pot stands on the wheel from now on (an entity that is not alive), or that entity's pot is
+    // another one. registry().destroy() takes it down again.
+    void put_on_wheel(ecs::Entity& entity, const PotApart& pot, const OnWheel& on_wheel = {});
 
     // Sets the models of hands and tools; null: balls.
     void set_tools(std::shared_ptr<const render::PropLibrary> library);
@@ -63,18 +108,16 @@ class WheelScene {
 
     [[nodiscard]] ecs::Registry& registry() { return registry_; }
     [[nodiscard]] ecs::Entity clay() const { return clay_; }
-    [[nodiscard]] ecs::Entity tool() const { return tool_; }
-    [[nodiscard]] ecs::Entity camera() const { return camera_; }
+    [[nodiscard]] ecs::Entity hand() const { return hands_[0]; }
 
   private:
     ecs::Registry registry_;
-    ecs::Schedule<FrameContext> schedule_ = wheel_schedule();
     FrameContext context_;
     ecs::Entity clay_;
-    ecs::Entity tool_;
-    ecs::Entity second_tool_;
+    std::array<ecs::Entity, 2> hands_;
+    ecs::Entity wire_;
+    ecs::Entity shavings_;
     ecs::Entity shelf_;
-    ecs::Entity camera_;
 };
 
 // A wheel scene with the workshop and the installed tools, ready for its first picture. Main thread; blocks

@@ -2,10 +2,14 @@
 // thread.
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
 #include "engine/ecs/registry.h"
 #include "engine/render/scene.h"
 #include "game/wheel/components.h"
-#include "game/wheel/room_model.h"
 
 namespace onggi::wheel {
 
@@ -16,6 +20,18 @@ void furnish(ecs::Registry& registry);
 // The same for a photographed workshop: its light, and the surfaces that catch a pot's shadow. They are not
 // drawn themselves: the backgrounds are projected on them.
 void stand_in(ecs::Registry& registry, const Workshop& workshop);
+
+// A room as a glTF model, used while it has no backgrounds: a museum's own room before they are rendered. mm.
+struct RoomModel {
+    std::vector<StillPart> parts = {};
+    bool has_wheel = false;  // a node or mesh is named "wheel"; otherwise the scene adds its own wheel
+    std::vector<std::string> left_out = {};  // what of the file is not drawn
+};
+
+// Metres, +Y up, the origin in the middle of the wheel head's top, as assets/workshop/README.md specifies.
+// Drawn in the materials' plain colours. Bad input: not a GLB, or a room that is not 1 to 100 m large.
+// Any thread but the haptic one; blocks.
+[[nodiscard]] Result<RoomModel> load_room_model(const std::filesystem::path& file);
 
 // Adds a modelled room in the workshop's light, with our wheel if it has none of its own.
 void build_room(ecs::Registry& registry, const Workshop& workshop, RoomModel model);

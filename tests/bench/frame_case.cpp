@@ -2,6 +2,7 @@
 
 #include <time.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -143,33 +144,35 @@ Result<void> FrameCase::draw_a_little() {
     return {};
 }
 
-wheel::WheelView FrameCase::shown() const {
+haptic::Snapshot FrameCase::shown() {
     constexpr double kHandMm = 10.0;
     const double angle = 0.2 * static_cast<double>(number_);
     const double height_mm = 110.0 + 30.0 * std::sin(0.02 * static_cast<double>(number_));
     const double wall_mm = outer_at(height_mm);
     constexpr double kTurnsRadS = 12.0;
-    const double shaved_mm3 =
-        desc_.is_trimmed ? wheel::Shavings::kCurlMm3 * static_cast<double>(number_) : 0.0;
-    return {.pot = &pot_,
-            .marks = canvas_ ? &marks_.marks() : nullptr,
-            .hand = {.position_mm = {wall_mm + kHandMm, height_mm, 0.0},
-                     .radius_mm = kHandMm,
-                     .tool = desc_.is_trimmed ? clay::StudioTool::kTrimmer : clay::StudioTool::kHand,
-                     .side = clay::studio::Side::kOut,
-                     .shown = desc_.with_hands,
-                     .touching = true},
-            .second_hand = {.position_mm = {wall_mm - kWallMm - kHandMm, height_mm, 0.0},
-                            .radius_mm = kHandMm,
-                            .side = clay::studio::Side::kIn,
-                            .shown = desc_.with_hands,
-                            .touching = true},
-            .shaved_mm3 = shaved_mm3,
-            .shaved_at_mm = {wall_mm, height_mm, 0.0},
-            .rib_on_bench = desc_.is_trimmed,
-            .wheel_direction = {std::cos(angle), std::sin(angle)},
+    wheel::WheelScene& wheel = *opened_.scene;
+    wheel.lead_hands(
+        std::array{wheel::DrawnHand{.position_mm = {wall_mm + kHandMm, height_mm, 0.0},
+                                    .radius_mm = kHandMm,
+                                    .tool = desc_.is_trimmed ? tool::Tool::kTrimmer : tool::Tool::kHand,
+                                    .side = tool::Side::kOut,
+                                    .shown = desc_.with_hands,
+                                    .touching = true},
+                   wheel::DrawnHand{.position_mm = {wall_mm - kWallMm - kHandMm, height_mm, 0.0},
+                                    .radius_mm = kHandMm,
+                                    .side = tool::Side::kIn,
+                                    .shown = desc_.with_hands,
+                                    .touching = true,
+                                    .is_second = true}});
+    if (desc_.is_trimmed) {
+        wheel.shave(wheel::Shavings::kCurlMm3 * static_cast<double>(number_), {wall_mm, height_mm, 0.0});
+        wheel.lay_on_bench(wheel::ToolModel::kRib, true);
+    }
+    if (canvas_) wheel.put_on_wheel(on_wheel_, {.pot = &pot_, .marks = &marks_.marks()});
+    return {.wheel_direction = {std::cos(angle), std::sin(angle)},
             .wheel_turning = true,
-            .wheel_speed_rad_s = kTurnsRadS};
+            .wheel_speed_rad_s = kTurnsRadS,
+            .pot = &pot_};
 }
 
 Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {
@@ -179,7 +182,7 @@ Result<FrameTime> FrameCase::frame(const render::Overlay* overlay) {
     if (desc_.is_drawn_on) {
         if (auto drawn = draw_a_little(); !drawn) return drawn.error();
     }
-    const wheel::WheelView moment = shown();
+    const haptic::Snapshot moment = shown();
     const render::Scene& scene = opened_.scene->apply(moment, desc_.width, desc_.height, kFrameS);
     view_changes_ = scene.next_view || scene.fade_in;
     light_changes_ = scene.levels.key != key_level_;

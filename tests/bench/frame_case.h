@@ -64,7 +64,7 @@ class FrameCase {
     void write_a_line();
     void throw_a_little();
     Result<void> draw_a_little();
-    [[nodiscard]] wheel::WheelView shown() const;
+    [[nodiscard]] haptic::Snapshot shown();
 
     FrameCaseDesc desc_;
     std::unique_ptr<vk::Instance> instance_;
@@ -78,6 +78,7 @@ class FrameCase {
     pot::Pot pot_;
     std::optional<decoration::Canvas> canvas_;  // if it is drawn on
     look::DressedMarks marks_;
+    ecs::Entity on_wheel_;  // the pot, where it is drawn on
     std::int64_t number_ = 0;
     bool view_changes_ = false;
     bool light_changes_ = false;

@@ -10,6 +10,7 @@
 
 #include "engine/jobs/triple_buffer.h"
 #include "game/haptic/job.h"
+#include "game/haptic/tool_device.h"
 #include "tests/bench/bench_failure.h"
 #include "tests/bench/paper_tick_case.h"
 
@@ -79,13 +80,13 @@ void velocity_estimator(benchmark::State& state) {
 BENCHMARK(velocity_estimator);
 
 // A hand that moves inwards at 10 mm/s, which keeps a 10 mm tool about 1 mm deep in the clay.
-class SteadyHand final : public haptics::HapticDevice {
+class SteadyHand final : public haptic::ToolDevice {
   public:
     SteadyHand(double wall_mm, double rate_hz) : wall_mm_(wall_mm), rate_hz_(rate_hz) {}
     Result<void> open() override { return {}; }
     void close() noexcept override {}
     [[nodiscard]] haptics::DeviceCapabilities capabilities() const override { return {}; }
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double /*dt_s*/) noexcept override {
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double /*dt_s*/) noexcept override {
         const double inwards_mm = 1.0 + 10.0 * static_cast<double>(tick) / rate_hz_;
         return {.position_mm = {wall_mm_ + 10.0 - inwards_mm, 100.013, 0.0},
                 .radius_mm = 10.0,

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "engine/jobs/histogram.h"
-#include "game/screens/screens.h"
 #include "game/screens/stage.h"
+#include "game/visit/steps.h"
 #include "tests/bench/bench_failure.h"
 #include "tests/bench/frame_case.h"
 #include "tests/unit/screens/sample_views.h"
@@ -31,7 +31,7 @@ class Composing {
         for (const screens::SampleView& sample : screens::sample_views({.language = language})) {
             if (sample.name != name) continue;
             return std::make_shared<const screens::Composed>(
-                screens::Composed{sample.view, screens::compose(*sample.view, painter_, store_)});
+                screens::Composed{sample.view, visit::compose(*sample.view, painter_, store_)});
         }
         return nullptr;
     }

@@ -19,6 +19,7 @@ namespace {
 constexpr double kOuterMm = 45.0;
 constexpr double kWallMm = 6.5;
 constexpr double kHandMm = 100.0;
+constexpr double kWheelRadS = 4.0 * std::numbers::pi;  // 120 rev/min
 constexpr int kTicksARestore = 64;
 
 enum class Hands { kOne, kPinch, kOneOnRoughRows };
@@ -31,8 +32,8 @@ class StudioTickCase {
           rings_(rings),
           radius_mm_(radius_mm) {
         parameters_.rate_hz = 4000.0;
-        input_.wheel_speed_rad_s = 4.0 * std::numbers::pi;
-        input_.hand.radius_mm = radius_mm;
+        input_.wheel_button = true;
+        input_.radius_mm = radius_mm;
         if (hands == Hands::kPinch) input_.assist_gap_mm = kWallMm - 2.0;
         restore();
         for (int k = 0; k < 4; ++k)
@@ -43,7 +44,7 @@ class StudioTickCase {
     double tick() {
         if (++ticks_ % kTicksARestore == 0) restore();
         const double depth_mm = 1.0 + 0.2 * ((ticks_ % 16) / 7.5 - 1.0);
-        input_.hand.position_mm = {kOuterMm + radius_mm_ - depth_mm, kHandMm + 0.013, 0.0};
+        input_.position_mm = {kOuterMm + radius_mm_ - depth_mm, kHandMm + 0.013, 0.0};
         const auto start = std::chrono::steady_clock::now();
         const StudioForces forces = clay_.tick(input_, parameters_);
         const auto end = std::chrono::steady_clock::now();
@@ -70,20 +71,20 @@ class StudioTickCase {
 
     void restore() {
         clay_.set_wall(kOuterMm, kWallMm, 12.0, 200.0, rings_);
-        clay_.set_wheel_speed(input_.wheel_speed_rad_s);
+        clay_.set_wheel_speed(kWheelRadS);
         if (hands_ != Hands::kOneOnRoughRows) return;
         // A standing wheel dents every row the hand reaches.
-        input_.hand.position_mm = {kOuterMm + radius_mm_ - 2.0, kHandMm, 0.0};
+        input_.position_mm = {kOuterMm + radius_mm_ - 2.0, kHandMm, 0.0};
         clay_.set_wheel_speed(0.0);
-        input_.wheel_speed_rad_s = 0.0;
+        input_.wheel_button = false;
         for (int k = 0; k < 20; ++k)
             clay_.tick(input_, parameters_);
-        input_.wheel_speed_rad_s = 4.0 * std::numbers::pi;
-        clay_.set_wheel_speed(input_.wheel_speed_rad_s);
+        input_.wheel_button = true;
+        clay_.set_wheel_speed(kWheelRadS);
     }
 
     clay::StudioClay clay_;
-    clay::StudioInput input_;
+    tool::ToolState input_;
     clay::StudioParameters parameters_;
     Hands hands_;
     int rings_;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/window/window.h"
-#include "game/app/devices/gamepad_hand.h"
+#include "game/app/devices/gamepad_finger.h"
 #include "tests/device/mock_gamepad.h"
 #include "tests/support/comes_true.h"
 
@@ -130,7 +130,7 @@ TEST_F(GamepadsThroughGlfw, MoveTheTool) {
     open();
     pad.move(ABS_X, 32767);
     ASSERT_TRUE(first_comes_to([](const Gamepad& one) { return one.left_x > 0.99F; }));
-    app::GamepadHand hand;
+    app::GamepadFinger hand;
     const app::GamepadRequest request = hand.request(now(), 0.1);
     EXPECT_TRUE(request.is_used);
     EXPECT_NEAR(request.step_mm.x, 16.0, 0.5) << "160 mm/s to the right";

@@ -88,18 +88,18 @@ TEST(SpaceMouseOnTheBus, LightsItsLampAndMovesTheToolByCapturedReports) {
                                  .reports("01 0d 00 00 00 25 01", 40));
     const auto device = opened(HidKind::kSpaceMouse);
     std::uint64_t tick = 0;
-    const ToolState start = device->read(tick++, 0.001);
-    ToolState tool = start;
+    const HandSample start = device->read(tick++, 0.001);
+    HandSample tool = start;
     bool wheel_turned = false;
     EXPECT_TRUE(comes_true([&] {
         tool = device->read(tick++, 0.001);
-        wheel_turned = wheel_turned || tool.wheel_button;
+        wheel_turned = wheel_turned || tool.button;
         return wheel_turned && tool.position_mm.y < start.position_mm.y;
     })) << device->status().message;
     EXPECT_TRUE(wheel_turned);
     // Silent while pushed: the axis counts as let go, the wheel stands.
-    EXPECT_TRUE(comes_true([&] { return !device->read(tick++, 0.001).wheel_button; }));
-    const ToolState rest = device->read(tick++, 0.001);
+    EXPECT_TRUE(comes_true([&] { return !device->read(tick++, 0.001).button; }));
+    const HandSample rest = device->read(tick++, 0.001);
     EXPECT_EQ(device->read(tick++, 0.001).position_mm, rest.position_mm);
     EXPECT_EQ(device->status().state, hid::HidStatus::State::kReady);
     EXPECT_EQ(device->status().name, "3Dconnexion SpaceMouse Compact");
@@ -110,8 +110,8 @@ TEST(PedalOnTheBus, IsReadWithoutReportNumbers) {
     bus.plug_in(kPedal, HidScript().reports("02 00", 20).reports("00 00", 400));
     const auto device = opened(HidKind::kVecPedal);
     std::uint64_t tick = 0;
-    EXPECT_TRUE(comes_true([&] { return device->read(tick++, 0.0).wheel_button; }));
-    EXPECT_TRUE(comes_true([&] { return !device->read(tick++, 0.0).wheel_button; }));
+    EXPECT_TRUE(comes_true([&] { return device->read(tick++, 0.0).button; }));
+    EXPECT_TRUE(comes_true([&] { return !device->read(tick++, 0.0).button; }));
 }
 
 TEST(DualSenseOnTheBus, IsToldToBeStillAndRead) {

@@ -45,7 +45,7 @@ struct Visit {
             tick(0);
     }
     void tick(std::uint32_t flags) {
-        const haptics::ToolState tool = test::studio_hand(state.ticks, kRateHz);
+        const tool::ToolState tool = test::studio_hand(state.ticks, kRateHz);
         const haptic::TickResult result = haptic::tick(state, tool, parameters());
         history.add({.tick = static_cast<std::uint32_t>(state.ticks - 1),
                      .flags = flags | (state.ticks == 1 ? haptic::TickRecord::kFreshLump : 0U),

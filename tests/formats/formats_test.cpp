@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "engine/files/read_file.h"
-#include "engine/record/session.h"
-#include "engine/record/session_format.h"
 #include "game/app/kiosk/gallery/jar_keeping.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/app/kiosk/gallery/wall_of_the_day.h"
@@ -18,6 +16,8 @@
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/start_log.h"
 #include "game/kiosk/config.h"
+#include "game/record/session.h"
+#include "game/record/session_format.h"
 #include "game/sharing/kept_note.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

@@ -100,9 +100,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             driver->take_report(whole, now_ns);
         }
         bytes = bytes.subspan(1 + length);
-        HandInput input = driver->input(now_ns);
+        DeviceInput input = driver->input(now_ns);
         input.heartbeat = ++heartbeat;
-        const haptics::ToolState tool = prop.moved(input, 0.01);
+        const haptics::HandSample tool = prop.moved(input, 0.01);
         fuzz::expect(tool.position_mm.x >= reach.least_radius_mm &&
                      tool.position_mm.x <= reach.most_radius_mm);
         fuzz::expect(tool.position_mm.y >= reach.least_height_mm &&
@@ -112,7 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                                     {.force_n = {push_n, -push_n},
                                                      .tangential_n = push_n,
                                                      .tool_mm = {tool.position_mm.x, tool.position_mm.y},
-                                                     .wheel_turns = tool.wheel_button,
+                                                     .turns = tool.button,
                                                      .ticks = heartbeat},
                                                     now_ns)));
         now_ns += 10 * kMs;

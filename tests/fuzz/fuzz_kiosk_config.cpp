@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "game/kiosk/config.h"
+#include "game/kiosk/state.h"
 #include "tests/fuzz/fuzz_expect.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

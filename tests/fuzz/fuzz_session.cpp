@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "engine/record/session.h"
 #include "game/haptic/start_state.h"
+#include "game/record/session.h"
 #include "tests/fuzz/fuzz_expect.h"
 #include "tests/support/session_checksums.h"
 
@@ -39,8 +39,8 @@ void read(std::string bytes, record::Damage damage) {
     record::SessionCursor cursor(*session);
     const std::uint64_t ticks = std::min(session->tick_count(), kTicksRead);
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-        const haptics::ToolState tool = cursor.at(tick);
-        fuzz::expect(haptics::within_limits(tool, {}) == tool);
+        const tool::ToolState tool = cursor.at(tick);
+        fuzz::expect(tool::within_limits(tool, {}) == tool);
         static_cast<void>(session->force_check_at(tick));
     }
     // Backwards too, from the end.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "game/sharing/kept_note.h"
@@ -37,14 +38,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::expect(known && known->media_type == answer.file.media_type);
         fuzz::expect(!name.empty() && name.find('/') == std::string_view::npos && name.front() != '.');
         fuzz::expect(name.find('\0') == std::string_view::npos);
-        fuzz::expect(request.target.starts_with("/" + answer.code->text() + "/"));
+        const std::string folder = "/" + answer.code->text() + "/";
+        fuzz::expect(request.target.starts_with(folder) ||
+                     (request.target.find("://") != std::string_view::npos &&
+                      request.target.find(folder) != std::string_view::npos));
         fuzz::expect(!answer.takes_gzip || (known->has_twin && answer.range.empty()));
     }
     if (answer.kind == Kind::kMoved) {
-        // To a folder of a code, never to another host.
+        // To a folder of a code or a file in it, never to another host.
         std::string_view to = answer.location;
-        if (to.starts_with("../")) to.remove_prefix(3);
-        fuzz::expect(to.ends_with('/') && ShareCode::read_exactly(to.substr(0, to.size() - 1)).has_value());
+        while (to.starts_with("../"))
+            to.remove_prefix(3);
+        const std::size_t slash = to.find('/');
+        fuzz::expect(slash != std::string_view::npos &&
+                     ShareCode::read_exactly(to.substr(0, slash)).has_value());
+        fuzz::expect(slash + 1 == to.size() || page_file(to.substr(slash + 1)).has_value());
     }
     for (const std::uint64_t file_size :
          {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1000}, ~std::uint64_t{0}}) {

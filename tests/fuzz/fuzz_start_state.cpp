@@ -6,7 +6,7 @@
 #include <span>
 
 #include "game/haptic/start_state.h"
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 #include "tests/fuzz/fuzz_expect.h"
 
 namespace {
@@ -45,16 +45,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::expect(std::ranges::equal(haptic::start_state_bytes(start->state, start->parameters), bytes));
     for (int tick = 0; tick < 20; ++tick) {
         const double x_mm = 80.0 - tick;
-        haptics::ToolState tool{
+        tool::ToolState tool{
             .position_mm = {x_mm, 5.0 * tick, 1.0}, .radius_mm = 10.0, .wheel_button = tick % 4 != 0};
         // Used by the studio's clay only.
-        tool.tool = static_cast<haptics::ToolKind>(tick % 4);
+        tool.tool = static_cast<tool::Tool>(tick % 4);
         tool.assist_gap_mm = tick % 3 == 0 ? 5.0 : 0.0;
         tool.water = 0.5;
         tool.guided = tick >= 8;
         tool.pressing = tick % 6 != 5;
-        tool.command = tick == 15 ? haptic::kCutRim : haptics::WorkCommand::kNone;
-        tool.command_height_mm = 10.0;
+        tool.wire = tick == 15 ? tool::Wire::kCutRim : tool::Wire::kNone;
+        tool.wire_height_mm = 10.0;
         const auto result = haptic::tick(start->state, tool, start->parameters);
         const dvec3 force_n = result.forces.total_n();
         fuzz::expect(std::isfinite(force_n.x) && std::isfinite(force_n.y) && std::isfinite(force_n.z));

@@ -10,7 +10,6 @@
 #include "engine/render/quality.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
-#include "game/wheel/systems.h"
 #include "game/wheel/wheel_scene.h"
 #include "tests/golden/alike.h"
 #include "tests/golden/golden_scenes.h"
@@ -105,7 +104,7 @@ class Backends : public support::ValidatedDevice, public testing::WithParamInter
             }
             wheel::Clay& clay = wheel_scene.registry().get<wheel::Clay>(wheel_scene.clay());
             clay.is_cut_open = clay.shows_load = scene.view == wheel::StillView::kCutaway;
-            render::Scene lit = wheel_scene.apply(shown.shown(), scene.width, scene.height);
+            render::Scene lit = wheel_scene.apply(shown.shown(wheel_scene), scene.width, scene.height);
             if (is_strict) lit.props.clear();
             // By day first, so that the light changes.
             if (frame + 1 == frames) lit.levels = levels;

@@ -108,31 +108,47 @@ std::vector<GoldenScene> drawn_scenes() {
 
 }  // namespace
 
-wheel::WheelView GoldenScene::shown() const {
-    wheel::WheelView shown{.pot = &pot,
-                           .wire_shown = wire_height_mm.has_value(),
-                           .wire_height_mm = wire_height_mm.value_or(0.0),
-                           .wheel_direction = wheel_direction,
-                           .wheel_turning = true,
-                           .contacts = contacts};
-    shown.hand = {.position_mm = tool_position_mm,
-                  .radius_mm = tool_radius_mm,
-                  .tool = tool,
-                  .side = side.value_or(clay::studio::Side::kOut),
-                  .shown = tool_shown,
-                  .touching = contacts > 0};
-    if (drawn) {
-        shown.material = drawn->material ? &*drawn->material : nullptr;
-        shown.marks = &drawn->marks.marks();
-    }
+haptic::Snapshot GoldenScene::shown(wheel::WheelScene& scene) const {
+    const wheel::DrawnHand hand{.position_mm = tool_position_mm,
+                                .radius_mm = tool_radius_mm,
+                                .tool = tool,
+                                .side = side.value_or(tool::Side::kOut),
+                                .shown = tool_shown,
+                                .touching = contacts > 0};
+    wheel::DrawnHand second{.shown = false, .is_second = true};
     if (second_hand_mm) {
-        shown.second_hand = {.position_mm = *second_hand_mm,
-                             .radius_mm = tool_radius_mm,
-                             .side = clay::studio::Side::kIn,
-                             .shown = true,
-                             .touching = contacts > 0};
+        second = {.position_mm = *second_hand_mm,
+                  .radius_mm = tool_radius_mm,
+                  .side = tool::Side::kIn,
+                  .touching = contacts > 0,
+                  .is_second = true};
+    }
+    scene.lead_hands(std::array{hand, second});
+    ecs::Entity on_wheel;
+    scene.registry().each<wheel::PotApart, wheel::OnWheel>(
+        [&](ecs::Entity entity, const wheel::PotApart&, const wheel::OnWheel&) { on_wheel = entity; });
+    if (drawn) {
+        scene.put_on_wheel(on_wheel, {.pot = &pot,
+                                      .material = drawn->material ? &*drawn->material : nullptr,
+                                      .marks = &drawn->marks.marks()});
+    } else {
+        scene.registry().destroy(on_wheel);
+    }
+    haptic::Snapshot shown{.wheel_direction = wheel_direction, .pot = &pot};
+    if (wire_height_mm) {
+        shown.tool.wire = tool::Wire::kCutRim;
+        shown.tool.wire_height_mm = *wire_height_mm;
     }
     return shown;
+}
+
+Result<asset::Image> GoldenScene::drawn_alone(int width_px, int height_px,
+                                              const wheel::StillOptions& options) const {
+    auto camera = wheel::StillCamera::create(width_px, height_px, options);
+    if (!camera) return camera.error();
+    auto image = (*camera)->take(shown((*camera)->scene()), view);
+    if (auto closed = (*camera)->close(); image && !closed) return closed.error();
+    return image;
 }
 
 std::uint64_t GoldenScene::hash() const {
@@ -176,7 +192,7 @@ namespace {
 
 using clay::ClayBody;
 using clay::Firing;
-using clay::studio::Side;
+using tool::Side;
 using wheel::StillView;
 
 // The paper's clay: solid.
@@ -290,17 +306,17 @@ std::vector<GoldenScene> move_scenes() {
         {.name = "rib",
          .pot = studio_pot(jar()),
          .tool_position_mm = {86.0, 88.0, 24.0},
-         .tool = clay::StudioTool::kRib,
+         .tool = tool::Tool::kRib,
          .contacts = 60},
         {.name = "sponge",
          .pot = studio_pot(bowl()),
          .tool_position_mm = {73.0, 40.0, 22.0},
-         .tool = clay::StudioTool::kSponge,
+         .tool = tool::Tool::kSponge,
          .contacts = 60},
         {.name = "trimming",
          .pot = studio_pot(trimmed()),
          .tool_position_mm = {47.0, 10.0, 18.0},
-         .tool = clay::StudioTool::kTrimmer,
+         .tool = tool::Tool::kTrimmer,
          .contacts = 60},
     };
 }

@@ -11,7 +11,6 @@
 
 #include "game/look/lathe_marks.h"
 #include "game/wheel/still.h"
-#include "game/wheel/wheel_view.h"
 #include "tests/golden/golden_pots.h"
 
 namespace onggi::golden {
@@ -31,16 +30,20 @@ struct GoldenScene {
     double tool_radius_mm = 10.0;
     bool tool_shown = true;
     std::optional<dvec3> second_hand_mm = std::nullopt;
-    clay::StudioTool tool = clay::StudioTool::kHand;
-    std::optional<clay::studio::Side> side = std::nullopt;  // side of the hand; default: outside
-    std::optional<double> wire_height_mm = std::nullopt;    // drawn through the clay there
+    tool::Tool tool = tool::Tool::kHand;
+    std::optional<tool::Side> side = std::nullopt;        // side of the hand; default: outside
+    std::optional<double> wire_height_mm = std::nullopt;  // drawn through the clay there
     dvec2 wheel_direction{1.0, 0.0};
     int contacts = 0;
     wheel::StillView view = wheel::StillView::kThrowing;
     std::shared_ptr<const DrawnPot> drawn = nullptr;
 
-    // Refers to this scene.
-    [[nodiscard]] wheel::WheelView shown() const;
+    // Brings hands and pot into the scene of a picture, and returns the snapshot that goes with them. Both
+    // refer to this one.
+    [[nodiscard]] haptic::Snapshot shown(wheel::WheelScene& scene) const;
+    // A picture of it by a camera of its own.
+    [[nodiscard]] Result<asset::Image> drawn_alone(int width_px, int height_px,
+                                                   const wheel::StillOptions& options) const;
     // A hash of everything that the picture shows.
     [[nodiscard]] std::uint64_t hash() const;
 

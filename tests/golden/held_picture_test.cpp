@@ -34,7 +34,7 @@ class HeldPicture : public support::ValidatedDevice {
         return vk::Offscreen::create(*device_, {kWidth, kHeight}).value();
     }
     [[nodiscard]] render::Scene scene_of(const GoldenScene& shown) {
-        render::Scene scene = opened_.scene->apply(shown.shown(), kWidth, kHeight);
+        render::Scene scene = opened_.scene->apply(shown.shown(*opened_.scene), kWidth, kHeight);
         if (!shows_hands_) scene.props.clear();
         return scene;
     }

@@ -8,7 +8,6 @@
 
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
-#include "game/wheel/systems.h"
 #include "game/wheel/wheel_scene.h"
 
 namespace onggi::golden {
@@ -72,7 +71,8 @@ asset::Image draw_live(vk::Device& device, const LiveScene& live, const render::
         moved.tool_position_mm.y += 2.0 * std::max(kFrames - 1 - frame, 0);
         if (frame == 1 && live.fades) opened.scene->look_at(wheel::View::kLookingIn);
         const double dt_s = live.fades && frame > 0 ? 1.0 / 60.0 : 0.0;
-        render::Scene scene = opened.scene->apply(moved.shown(), shown.width, shown.height, dt_s);
+        render::Scene scene =
+            opened.scene->apply(moved.shown(*opened.scene), shown.width, shown.height, dt_s);
         faded = scene.fade_in.value_or(faded);
         scene.levels = wheel::light_levels(live.evening);
         const render::Overlay laid = overlay.next();

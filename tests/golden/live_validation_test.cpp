@@ -46,8 +46,9 @@ TEST_F(ValidatedDevice, ReportsNothingForAnySceneWhileTheSizeChanges) {
             const auto height = static_cast<int>(extent.height);
             // With the same layers, with new ones, and with those that the CPU has read back.
             for (int frame = 0; frame < 4; ++frame) {
-                const auto drawn = renderer->draw(opened.scene->apply(scene.shown(), width, height, kFrameS),
-                                                  *target, &overlay);
+                const auto drawn =
+                    renderer->draw(opened.scene->apply(scene.shown(*opened.scene), width, height, kFrameS),
+                                   *target, &overlay);
                 ASSERT_TRUE(drawn) << scene.name << ": " << drawn.error().message;
                 EXPECT_TRUE(*drawn) << scene.name;
             }
@@ -71,14 +72,14 @@ TEST(LivePicture, CausesNoMessageAfterEachDeviceLoss) {
         if (loses) {
             // Enough frames to count as a new failure, not a repeated one.
             for (int frame = 0; frame < 60; ++frame)
-                ASSERT_TRUE((*view)->draw(scene.shown(), kFrameS));
+                ASSERT_TRUE((*view)->draw(scene.shown((*view)->scene()), kFrameS));
             (*view)->device_health().inject({.call = "vkQueueSubmit2", .result = VK_ERROR_DEVICE_LOST});
             ++lost;
         }
-        (*view)->look_at(view_of(scene));
+        (*view)->scene().look_at(view_of(scene));
         for (int frame = 0; frame < 2; ++frame) {
             const auto drawn =
-                (*view)->draw(scene.shown(), kFrameS);  // an error if the layer reports anything
+                (*view)->draw(scene.shown((*view)->scene()), kFrameS);  // an error if the layer reports
             ASSERT_TRUE(drawn) << scene.name << ": " << drawn.error().message;
             EXPECT_TRUE(*drawn) << scene.name;
         }

@@ -38,8 +38,10 @@ class ModelledRoomTest : public support::ValidatedDevice {
         opened_.scene->set_evening(evening);
         // By then the light has changed and the hands have arrived.
         constexpr double kSettledS = 5.0;
-        static_cast<void>(opened_.scene->apply(shown_.shown(), kRoomWidth, kRoomHeight, kSettledS));
-        const render::Scene scene = opened_.scene->apply(shown_.shown(), kRoomWidth, kRoomHeight, 0.0);
+        static_cast<void>(
+            opened_.scene->apply(shown_.shown(*opened_.scene), kRoomWidth, kRoomHeight, kSettledS));
+        const render::Scene scene =
+            opened_.scene->apply(shown_.shown(*opened_.scene), kRoomWidth, kRoomHeight, 0.0);
         const auto drawn = renderer.draw(scene, *target_, nullptr);
         EXPECT_TRUE(drawn && *drawn);
         return target_->read_back().value();

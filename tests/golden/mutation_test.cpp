@@ -39,7 +39,7 @@ class Gate : public testing::Test {
         desc.inside_out = inside_out;
         auto renderer = render::Renderer::create(*drawn_by_.device, desc).value();
         auto target = vk::Offscreen::create(*drawn_by_.device, {kGateWidth, kGateHeight}).value();
-        render::Scene scene = opened_.scene->apply(golden.shown(), kGateWidth, kGateHeight);
+        render::Scene scene = opened_.scene->apply(golden.shown(*opened_.scene), kGateWidth, kGateHeight);
         if (change_scene) change_scene(scene);
         EXPECT_TRUE(renderer->draw(scene, *target).value());
         return {.width = kGateWidth, .height = kGateHeight, .rgba = target->read_back().value()};

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/vk/physical_device.h"
-#include "game/wheel/still_camera.h"
+#include "game/wheel/still.h"
 #include "tests/golden/golden_scenes.h"
 #include "tests/support/image_gate.h"
 
@@ -47,7 +47,7 @@ class Picture : public testing::TestWithParam<GoldenScene> {
             camera = std::move(*made);
         }
         camera->forget();
-        return camera->take(scene.shown(), scene.view);
+        return camera->take(scene.shown(camera->scene()), scene.view);
     }
 
   private:
@@ -69,17 +69,17 @@ INSTANTIATE_TEST_SUITE_P(OfThePot, Picture, testing::ValuesIn(golden_scenes()),
 
 TEST(Still, IsTheSameToTheByteEveryTime) {
     const GoldenScene scene = golden_scenes().at(1);
-    const auto first = wheel::render_still(scene.shown(), 320, 240);
-    const auto second = wheel::render_still(scene.shown(), 320, 240);
+    const auto first = scene.drawn_alone(320, 240, {});
+    const auto second = scene.drawn_alone(320, 240, {});
     ASSERT_TRUE(first && second);
     EXPECT_EQ(first->rgba, second->rgba);
 }
 
 TEST(Still, TurnsItsStreaksWithTheWheel) {
     GoldenScene scene = golden_scenes().at(1);
-    const auto before = wheel::render_still(scene.shown(), 320, 240);
+    const auto before = scene.drawn_alone(320, 240, {});
     scene.wheel_direction = {-0.6, 0.8};
-    const auto after = wheel::render_still(scene.shown(), 320, 240);
+    const auto after = scene.drawn_alone(320, 240, {});
     ASSERT_TRUE(before && after);
     EXPECT_NE(before->rgba, after->rgba);
 }

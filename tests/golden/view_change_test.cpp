@@ -41,7 +41,7 @@ class ViewChangeTest : public support::ValidatedDevice {
         opened_ = wheel::open_scene({}, kWidth, kHeight);
         ASSERT_EQ(opened_.lack, "");
         opened_.scene->look_at(wheel::View::kThrowing);
-        opened_.scene->apply(shown_.shown(), kWidth, kHeight);
+        opened_.scene->apply(shown_.shown(*opened_.scene), kWidth, kHeight);
         fading_ = make();
         for (int frame = 0; frame < 3; ++frame)
             next();
@@ -68,7 +68,7 @@ class ViewChangeTest : public support::ValidatedDevice {
     // Draws the next frame: the hand moves, and a finished view is shown.
     void next(const render::Overlay* overlay = nullptr) {
         shown_.tool_position_mm.y += 1.0;
-        scene_ = opened_.scene->apply(shown_.shown(), kWidth, kHeight, kFrameS);
+        scene_ = opened_.scene->apply(shown_.shown(*opened_.scene), kWidth, kHeight, kFrameS);
         picture_ = draw(fading_, scene_, overlay);
         if (fading_.renderer->stats().next_view_ready) opened_.scene->next_view_is_ready();
     }

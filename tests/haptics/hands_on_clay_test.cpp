@@ -133,7 +133,7 @@ struct Outcome {
     double largest_n = 0.0;
     double largest_heat_n2 = 0.0;
     double most_given_mj = 0.0;      // at its worst; minus the energy taken and the wheel's work
-    double most_generated_mj = 0.0;  // the same over the last second, by the chain's observer
+    double most_generated_mj = 0.0;  // of that in a second, as the chain's observer knows it
     double largest_change_n = 0.0;
     double touched_s = 0.0;
     double farthest_mm = 0.0;
@@ -179,7 +179,7 @@ Outcome work(HapticState state, double rate_hz, const HandModel& hand, unsigned 
         is_led = is_led && glm::dot(applied_n, applied_n) < kPushesN * kPushesN;
         if (is_led && k > rate_hz * 1.5) held.put_at({led_x_mm -= kLedMmS * dt_s, 20.0, 0.0});
         const dvec3 aim = wish.next(hand, k / rate_hz, dt_s, wall_mm);
-        haptics::ToolState tool{.position_mm = held.reading_mm(), .wheel_button = wish.wheel(dt_s)};
+        tool::ToolState tool{.position_mm = held.reading_mm(), .wheel_button = wish.wheel(dt_s)};
         if (hand.mass_kg == 0.0) tool.wheel_button = false;
         const dvec3 place_before = held.place_mm();
         const TickResult result = tick(state, tool, parameters);

@@ -93,7 +93,7 @@ MUTATIONS = [
     (9, "the motor's part through the ramp", (CHAIN,
                                               "safety::fraction_of(force_n, state.ramp, state)",
                                               "force_n * state.ramp"), "unit_haptics"),
-    (9, "the share that a change of hands leaves", ("engine/haptics/hands.cpp",
+    (9, "the share that a change of hands leaves", ("engine/haptics/device_group.cpp",
                                                     "    signs.force_fraction *= motors_[holder_].given_fraction;\n", ""),
      "unit_haptics"),
     (9, "the share that the gate leaves", (f"{HID}/hid_session.cpp", "published.force_fraction = gate_.fraction();",
@@ -199,9 +199,9 @@ MUTATIONS = [
     *[(1, f"the {stage} of a hand's motors", [(HEADER, "array<SafetyStage, 3> kMotorStages", "array<SafetyStage, 2> kMotorStages"),
                                               (HEADER, row, "")], "unit_haptics")
       for stage, row in (
-          ("ramp", '    {"ramp", "from zero to full force once a hand has the tool and the force is small", &ramp},\n'),
-          ("budget", '    {"budget", "this hand\'s own mean force, while it works and while it rests", &budget},\n'),
-          ("clamp", '    {"clamp", "this hand\'s own peak force, direction kept", &clamp},\n'))],
+          ("ramp", '    {"ramp", "from zero to full force once a device has the tool and the force is small", &ramp},\n'),
+          ("budget", '    {"budget", "this device\'s own mean force, while it works and while it rests", &budget},\n'),
+          ("clamp", '    {"clamp", "this device\'s own peak force, direction kept", &clamp},\n'))],
     # What a device's own limits do to the chain's.
     (1, "the lower peak of a weak device", (CHAIN, "limits.peak_force_n = std::min(limits.peak_force_n, device.peak_force_n);",
                                             "limits.peak_force_n = device.peak_force_n;"), "unit_haptics"),

@@ -21,21 +21,21 @@ inline double size_of(const dvec3& force_n) {
 // Keeps the last force, as real devices do, until it is silenced.
 class ObedientDevice : public test::ScriptedDevice {
   public:
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
-        haptics::ToolState tool = ScriptedDevice::read(tick, dt_s);
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override {
+        tool::ToolState tool = ScriptedDevice::read_tool(tick, dt_s);
         // Out of the clay, and into it once the ramp is done; then it stays there.
         tool.position_mm = {std::max(68.0, 120.0 - 0.02 * static_cast<double>(tick)), 100.0, 0.0};
         tool.radius_mm = 10.0;
         tool.wheel_button = false;
         return tool;
     }
-    [[nodiscard]] haptics::HandSigns signs() const noexcept override { return signs_now; }
+    [[nodiscard]] haptics::DeviceSigns signs() const noexcept override { return signs_now; }
     void silence() noexcept override {
         last_force_n = dvec3(0.0);
         ++silenced;
     }
 
-    haptics::HandSigns signs_now;
+    haptics::DeviceSigns signs_now;
     int silenced = 0;
 };
 

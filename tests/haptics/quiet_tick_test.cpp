@@ -29,8 +29,8 @@ constexpr int kTicks = 4000;
 // A job's whole work without its thread: ticks, snapshots, records, commands, the watchdog's beat.
 class Loop {
   public:
-    Loop(const HapticState& start, std::unique_ptr<haptics::HapticDevice> device)
-        : work_(start, {}, std::move(device), {.run_ticks = 9000, .repeat = true}) {}
+    Loop(const HapticState& start, ToolDevices devices)
+        : work_(start, {}, std::move(devices), {.run_ticks = 9000, .repeat = true}) {}
 
     void run() {
         for (int k = 0; k < kTicks; ++k) {
@@ -76,9 +76,9 @@ template <typename Offence>
 class Offender final : public test::ScriptedDevice {
   public:
     explicit Offender(Offence offence) : offence_(std::move(offence)) {}
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override {
         if (++count_ % 1000 == 0) offence_();
-        return ScriptedDevice::read(tick, dt_s);
+        return ScriptedDevice::read_tool(tick, dt_s);
     }
 
   private:

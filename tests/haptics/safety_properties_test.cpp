@@ -18,9 +18,9 @@
 #include "engine/haptics/hid/force_gate.h"
 #include "engine/haptics/stability.h"
 #include "engine/haptics/watchdog.h"
-#include "engine/record/session.h"
 #include "game/haptic/history.h"
 #include "game/haptic/job.h"
+#include "game/record/session.h"
 #include "tests/haptics/device_models.h"
 #include "tests/haptics/obedient_loop.h"
 #include "tests/support/engaged.h"
@@ -351,8 +351,8 @@ TEST(SafetyProperty14, TheStopNeedsNoPictureAndHoldsUntilRearmed) {
 // Returns an invalid position after 2500 ticks.
 class LosingDevice final : public test::ScriptedDevice {
   public:
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
-        haptics::ToolState tool = ScriptedDevice::read(tick, dt_s);
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override {
+        tool::ToolState tool = ScriptedDevice::read_tool(tick, dt_s);
         if (tick == 2500) tool.position_mm.x = std::numeric_limits<double>::quiet_NaN();
         return tool;
     }

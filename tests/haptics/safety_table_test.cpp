@@ -47,7 +47,7 @@ constexpr Proof kProvedElsewhere[] = {
      "ThatReportsAllTheTimeLosesItsForceAsSoonAsItIsMute"},
     {8, "a hand that keeps still", "unit/hid/mute_device_test.cpp",
      "ThatReportsChangesOnlyKeepsItsForceWhileItIsHeldStillAndLosesItWithinASecond"},
-    {9, "work of what really went out", "unit/haptics/hands_test.cpp",
+    {9, "work of what really went out", "unit/haptics/device_group_test.cpp",
      "TheObserverCountsTheWorkOfWhatReallyWentOut"},
     {9, "passivity", "haptics/stability_test.cpp", "GainsSeveralTimesTheStiffnessByTheController"},
     {10, "stiffness refused with the number", "haptics/stability_test.cpp",

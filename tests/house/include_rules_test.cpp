@@ -343,14 +343,17 @@ TEST(IncludeRules, CatchWhatTheyForbid) {
     EXPECT_EQ(count("game/wheel/scene.cpp", "#include <glm/glm.hpp>\n"), 1U);
     EXPECT_EQ(count("engine/render/renderer.cpp", "#include <vulkan/vulkan.h>\n"), 1U);
     EXPECT_EQ(count("game/haptic/tick.cpp", "const double y = std::sin(x);\n"), 1U);
-    EXPECT_EQ(count("engine/haptics/tool_state.h", "double sponge_water = 0.0;  // of the kiln\n"), 2U);
-    EXPECT_EQ(count("engine/record/layout.h", "enum class ClayModel { kPaper };\n"), 1U);
+    EXPECT_EQ(count("engine/haptics/hand_sample.h", "double sponge_water = 0.0;  // of the kiln\n"), 3U);
+    EXPECT_EQ(count("engine/haptics/hand_sample.h", "double assist_gap_mm = 0.0;  // at the rim\n"), 2U);
+    EXPECT_EQ(count("engine/jobs/mailbox.h", "#include \"game/tool/tool.h\"\n"), 1U);
+    EXPECT_EQ(count("engine/render/scene.h", "// The colour of stoneware.\n"), 1U);
+    EXPECT_EQ(count("engine/haptics/hand_sample.h", "enum class ClayModel { kPaper };\n"), 1U);
     EXPECT_EQ(count("attic/old.cpp", "#include \"engine/core/result.h\"\n"), 1U);
 
     EXPECT_EQ(count("game/clay/paper_clay.cpp", "#include \"engine/core/hash.h\"\n#include <vector>\n"), 0U);
     EXPECT_EQ(count("engine/vk/vulkan.h", "#include <vulkan/vulkan.h>\n"), 0U);
     EXPECT_EQ(count("game/app/main.cpp", "#include \"engine/files/atomic_file.h\"\n"), 0U);
-    EXPECT_EQ(count("game/haptic/tools.h", "// A sponge of the clay.\n"), 0U);
+    EXPECT_EQ(count("game/tool/tool.h", "// A sponge of the clay.\n"), 0U);
 }
 
 TEST(IncludeRules, RejectATableLineTheyDoNotUnderstand) {

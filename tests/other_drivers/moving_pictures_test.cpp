@@ -77,10 +77,10 @@ TEST_F(AStormOfSizes, CausesNoValidationMessageOnAnyGpuStep) {
             for (int frame = 0; frame < 3; ++frame) {
                 render::Overlay laid = overlay.next();
                 laid.covers = frame == 2 && number % 4 == 0;
-                const auto drawn =
-                    renderer->draw(opened.scene->apply(shown.shown(), static_cast<int>(extent.width),
-                                                       static_cast<int>(extent.height), kFrameS),
-                                   *target, &laid);
+                const auto drawn = renderer->draw(
+                    opened.scene->apply(shown.shown(*opened.scene), static_cast<int>(extent.width),
+                                        static_cast<int>(extent.height), kFrameS),
+                    *target, &laid);
                 ASSERT_TRUE(drawn) << shown.name << ": " << drawn.error().message;
                 EXPECT_TRUE(*drawn) << shown.name;
             }

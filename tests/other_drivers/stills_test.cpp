@@ -48,8 +48,7 @@ TEST_P(Stills, AreThoseOfTheOtherDriver) {
     const auto expected = asset::decode_png(std::as_bytes(std::span(*png)), scene.name);
     ASSERT_TRUE(expected) << expected.error().message;
     // Any message of the validation layer is an error.
-    const auto drawn = wheel::render_still(scene.shown(), scene.width, scene.height,
-                                           {.view = scene.view, .validation = true});
+    const auto drawn = scene.drawn_alone(scene.width, scene.height, {.validation = true});
     ASSERT_TRUE(drawn) << drawn.error().message;
     const support::ImageDifference found = support::compare_images(*expected, *drawn, kMostLevels);
     fmt::print("{}: {:.4f} % of pixels differ by more than {}/255, mean {:.4f}\n", scene.name,

@@ -68,7 +68,7 @@ asset::Image screenshot_after(std::uint64_t ticks) {
     const auto& parameters = performance->start.parameters;
     haptic::TickResult last;
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-        last = haptic::tick(state, performance->hand->read(tick, parameters.dt_s()), parameters);
+        last = haptic::tick(state, performance->player->read_tool(tick, parameters.dt_s()), parameters);
         EXPECT_TRUE(writer->add_tick(state, last));
     }
     const auto finished = writer->finish(state, last, {});

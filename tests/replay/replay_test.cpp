@@ -113,7 +113,7 @@ void record_session(Performance& performance, const std::string& place) {
     haptic::HapticState& state = performance.start.state;
     const auto& parameters = performance.start.parameters;
     for (std::uint64_t tick = 0; tick < performance.tick_count; ++tick) {
-        const auto tool = performance.hand->read(tick, parameters.dt_s());
+        const auto tool = performance.player->read_tool(tick, parameters.dt_s());
         ASSERT_TRUE(writer->add_tick(state, haptic::tick(state, tool, parameters)));
     }
     ASSERT_TRUE(writer->finish(state, {}, {}));
@@ -139,7 +139,7 @@ TEST(StoredSession, OfTheStudioClayEndsInTheStateThatWasStored) {
     bool second_touched = false;
     double wettest = 0.0;
     for (std::uint64_t tick = 0; tick < session.session.tick_count(); ++tick) {
-        const haptics::ToolState tool = hands.at(tick);
+        const tool::ToolState tool = hands.at(tick);
         const haptic::TickResult result = haptic::tick(start.state, tool, start.parameters);
         second_touched = second_touched || (tool.second.present && result.second_forces.contacts > 0);
         wettest = std::max(wettest, start.state.studio()->film());
@@ -161,10 +161,10 @@ TEST(StoredSession, OfOneFingerLeavesTheClayAloneWhereItDoesNotPress) {
     record::SessionCursor hands(session.session);
     int landings = 0;
     std::uint64_t touching = 0;
-    haptics::ToolState before;
+    tool::ToolState before;
     before.pressing = false;
     for (std::uint64_t tick = 0; tick < session.session.tick_count(); ++tick) {
-        const haptics::ToolState tool = hands.at(tick);
+        const tool::ToolState tool = hands.at(tick);
         const haptic::TickResult result = haptic::tick(start.state, tool, start.parameters);
         if (tool.guided && tool.pressing && !before.pressing) ++landings;
         const bool touches = result.forces.contacts > 0 || result.grip.grip != clay::studio::Grip::kNone;

@@ -8,7 +8,7 @@
 namespace onggi::haptic {
 namespace {
 
-haptics::ToolState tool_at(std::uint64_t tick) {
+tool::ToolState tool_at(std::uint64_t tick) {
     const double t = static_cast<double>(tick) / 1000.0;
     return {.position_mm = {75.0 - 10.0 * t, 60.0 + 50.0 * t, 3.0},
             .radius_mm = 9.0,
@@ -17,9 +17,9 @@ haptics::ToolState tool_at(std::uint64_t tick) {
 
 // Two hands in a studio lump, the first coming down at the axis, later as a finger's; now and then they let
 // go.
-haptics::ToolState studio_tool_at(std::uint64_t tick) {
+tool::ToolState studio_tool_at(std::uint64_t tick) {
     const double t = static_cast<double>(tick) / 1000.0;
-    haptics::ToolState tool{
+    tool::ToolState tool{
         .position_mm = {10.0 * t, 60.0 - 15.0 * t, 0.0}, .radius_mm = 9.0, .wheel_button = tick % 500 < 450};
     tool.water = 1.0;
     tool.second = {.present = tick > 300, .position_mm = {-45.0, 15.0, 0.0}};

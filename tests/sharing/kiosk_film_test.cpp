@@ -118,7 +118,7 @@ TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
     phone.share(kept());
     const auto answer = answer_of(phone);
     ASSERT_TRUE(answer);
-    ASSERT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).event, kiosk::Event::Kind::kShared);
+    ASSERT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).outcome, kiosk::ShareOutcome::kReady);
     const fs::path place = folder_.path() / "outbox" / shared().at(0).code.text();
     EXPECT_FALSE(fs::exists(place / "film.webp"));
     EXPECT_EQ(test::content_of(place / "index.html").find("film.webp"), std::string::npos);

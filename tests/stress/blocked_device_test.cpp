@@ -9,10 +9,10 @@
 #include <thread>
 #include <utility>
 
-#include "engine/haptics/hands.h"
+#include "engine/haptics/device_group.h"
 #include "engine/haptics/hid/hid_device.h"
-#include "engine/haptics/simulated_device.h"
 #include "game/haptic/job.h"
+#include "game/haptic/simulated_device.h"
 
 namespace onggi::haptic {
 namespace {
@@ -92,11 +92,12 @@ struct Cost {
 
 Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
     std::atomic<int> writes{0};
-    std::vector<std::unique_ptr<haptics::Hand>> hands;
-    auto mouse = std::make_unique<haptics::SimulatedDevice>();
+    std::vector<std::unique_ptr<haptics::HapticDevice>> devices;
+    auto mouse = std::make_unique<haptic::SimulatedDevice>();
     mouse->set_target({.position_mm = {90.0, 100.0, 0.0}, .wheel_button = true});
-    hands.push_back(std::move(mouse));
-    hands.push_back(
+    const haptic::SimulatedDevice& first = *mouse;
+    devices.push_back(std::move(mouse));
+    devices.push_back(
         std::make_unique<haptics::HidDevice>(haptics::HidDeviceOptions{.kind = haptics::HidKind::kDualSense},
                                              std::make_unique<SlowBus>(write_takes, writes)));
     HapticParameters parameters;
@@ -106,7 +107,8 @@ Cost cost_of_a_tick(std::chrono::milliseconds write_takes) {
     options.end_periods = kPeriods;
     // 0 is no priority, and refused: a test shares the machine with others.
     options.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
-    HapticJob job(HapticState(), parameters, std::make_unique<haptics::Hands>(std::move(hands)), options);
+    HapticJob job(HapticState(), parameters,
+                  {std::make_unique<haptics::DeviceGroup>(std::move(devices)), first}, options);
     EXPECT_TRUE(job.start());
     TickRecord record;
     while (!job.finished()) {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "engine/haptics/simulated_device.h"
 #include "engine/jobs/clock.h"
 #include "game/haptic/job.h"
+#include "game/haptic/simulated_device.h"
 #include "tests/support/patience.h"
 
 namespace onggi::haptic {
@@ -17,8 +17,8 @@ TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndComma
     constexpr std::uint64_t kTicks = 6000;
     HapticParameters parameters;
     parameters.set_rate_hz(4000.0);
-    auto owned = std::make_unique<haptics::SimulatedDevice>();
-    haptics::SimulatedDevice& device = *owned;
+    auto owned = std::make_unique<haptic::SimulatedDevice>();
+    haptic::SimulatedDevice& device = *owned;
     device.set_target({.position_mm = {90.0, 100.0, 0.0}});
     HapticJobOptions options;
     options.wait = jobs::WaitMode::kSleep;

@@ -9,10 +9,10 @@
 #include <string>
 #include <thread>
 
-#include "engine/haptics/simulated_device.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/system/start_log.h"
+#include "game/haptic/simulated_device.h"
 #include "tests/stress/interrupted_wheel.h"
 
 namespace onggi {
@@ -27,7 +27,7 @@ void say(char byte) {
 class Visitors {
   public:
     Visitors(const fs::path& gallery, unsigned seed) : chance_(seed) {
-        auto device = std::make_unique<haptics::SimulatedDevice>();
+        auto device = std::make_unique<haptic::SimulatedDevice>();
         hand_ = device.get();
         parameters_.set_rate_hz(stress::kRateHz);
         parameters_.safety = haptics::limits_for(device->capabilities());
@@ -85,7 +85,7 @@ class Visitors {
         const unsigned moves = one_of(2) ? 2 + any_below(20) : 50 + any_below(80);
         bool threw_on = false;
         for (unsigned move = 0; move < moves; ++move) {
-            haptics::ToolState tool;
+            tool::ToolState tool;
             tool.position_mm = {40.0 + any_below(60), 10.0 + any_below(90), 0.0};
             tool.wheel_button = true;
             tool.water = 1.0;
@@ -115,7 +115,7 @@ class Visitors {
     std::mt19937 chance_;
     haptic::HapticState start_ = stress::start();
     haptic::HapticParameters parameters_;
-    haptics::SimulatedDevice* hand_ = nullptr;
+    haptic::SimulatedDevice* hand_ = nullptr;
     std::unique_ptr<haptic::HapticJob> job_;
     std::unique_ptr<app::KioskKeeper> keeper_;
     std::uint64_t run_ = 0;

@@ -12,7 +12,6 @@
 #include "game/app/command_line/performance.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/app/kiosk/health/house_status.h"
-#include "game/app/kiosk/presentation/exhibits.h"
 #include "game/clay/studio/joining.h"
 #include "game/heritage/jar.h"
 #include "tests/stress/unseen_kiosk.h"
@@ -50,7 +49,7 @@ class MoonJar : public testing::Test {
     // Opens the clay and pulls it up along the dots, repeating until it is a bowl.
     void throw_bowl() {
         constexpr int kTries = 12;
-        const std::vector<vec2> outline = jar_of(*target).bowl_mm;
+        const std::vector<vec2> outline = heritage::jar_of(*target).bowl_mm;
         const std::vector<dvec2> way(outline.begin(), outline.end());
         const auto top_mm = [&] { return kiosk.snapshot().pot->height_mm; };
         const auto depth_mm = [&] { return top_mm() - kiosk.snapshot().pot->floor_mm; };
@@ -157,7 +156,7 @@ TEST_F(MoonJar, IsThrownJoinedDecoratedAndKept) {
     ASSERT_TRUE(kiosk.until([&] { return step() == JarStep::kSeam; }, kSlowly));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.snapshot().pot->height_mm > 140.0; }, kSlowly));
     kiosk.look("6-seam");
-    EXPECT_EQ(kiosk.state().throwing.held, kiosk::Held::kRib);
+    EXPECT_EQ(kiosk.state().throwing.held, tool::Tool::kRib);
     const double middle_mm = 0.5 * kiosk.snapshot().pot->height_mm;
     kiosk.stroke({{95.0, middle_mm - 8.0}, {84.0, middle_mm}, {84.0, middle_mm + 8.0}}, 2.0, chance);
     kiosk.look("7-smoothed");

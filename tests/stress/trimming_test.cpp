@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "game/app/command_line/performance.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
-#include "game/app/kiosk/hand/kiosk_touch.h"
 #include "game/clay/studio/studio_clay.h"
 #include "tests/stress/unseen_kiosk.h"
 #include "tests/support/temporary_folder.h"

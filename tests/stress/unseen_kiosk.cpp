@@ -41,16 +41,16 @@ struct UnseenKiosk::Parts {
         view = std::move(*opened);
         parameters.set_rate_hz(kRateHz);
         parameters.studio.forgiving = options.forgiving;
-        auto device = std::make_unique<haptics::SimulatedDevice>();
-        hand = device.get();
+        auto device = std::make_unique<haptic::SimulatedDevice>();
+        pointer = device.get();
         parameters.safety = haptics::limits_for(device->capabilities());
         std::vector<std::string> remarks;
         if (options.shows) show = load_show({start, options.forgiving}, remarks);
         EXPECT_TRUE(remarks.empty());
-        auto first_hand = std::make_unique<DemonstrationHand>(std::move(device), show.recordings, kRateHz);
-        auto made = HandDevices::make("mouse", std::move(first_hand), false);
+        auto first = std::make_unique<DemonstrationDevice>(std::move(device), show.recordings, kRateHz);
+        auto made = AttachedDevices::make("mouse", std::move(first), false);
         EXPECT_TRUE(made);
-        devices = std::make_unique<HandDevices>(std::move(*made));
+        devices = std::make_unique<AttachedDevices>(std::move(*made));
         job = std::make_unique<haptic::HapticJob>(start, parameters, devices->take(),
                                                   haptic::HapticJobOptions{.spares_the_core = true});
         keeper = std::make_unique<KioskKeeper>(*job, start, parameters, Gallery(settings.config),
@@ -61,7 +61,7 @@ struct UnseenKiosk::Parts {
         if (!options.minute_of_day) options.minute_of_day = app::minute_of_day;
         visit = std::make_unique<KioskVisit>(VisitParts{.view = *view,
                                                         .job = *job,
-                                                        .hand = *hand,
+                                                        .pointer = *pointer,
                                                         .devices = *devices,
                                                         .keeper = *keeper,
                                                         .sound = *sound,
@@ -85,8 +85,8 @@ struct UnseenKiosk::Parts {
     std::chrono::milliseconds frame_pause;
     std::chrono::minutes patience;
     haptic::HapticParameters parameters;
-    haptics::SimulatedDevice* hand = nullptr;
-    std::unique_ptr<HandDevices> devices;
+    haptic::SimulatedDevice* pointer = nullptr;
+    std::unique_ptr<AttachedDevices> devices;
     std::unique_ptr<haptic::HapticJob> job;
     std::unique_ptr<KioskKeeper> keeper;
     std::unique_ptr<KioskSound> sound = std::make_unique<KioskSound>(0.0);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/record/session.h"
 #include "game/app/kiosk/gallery/interrupted_session.h"
+#include "game/record/session.h"
 #include "tests/support/temporary_folder.h"
 
 namespace onggi::stress {

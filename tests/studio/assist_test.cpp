@@ -21,7 +21,7 @@ double moved_mm(const StudioClay& before, const StudioClay& after) {
 
 // A kilogram, opened to the floor and a little wider, the hand still inside.
 void open_up(Bench& bench) {
-    const double r1 = bench.input.hand.radius_mm;
+    const double r1 = bench.input.radius_mm;
     bench.input.water = 1.0;
     bench.at(0.0, 90.0);
     bench.move({0.0, r1 + 10.0, 0.0}, 4.0);
@@ -33,7 +33,7 @@ TEST(Assist, AHandHeldStillIsSupportedNotSqueezed) {
     for (const double off_centre : {0.0, 2.0}) {
         for (const double radius : {10.0, 12.6}) {
             Bench bench({.mass_g = 1000.0, .off_centre_mm = off_centre});
-            bench.input.hand.radius_mm = radius;
+            bench.input.radius_mm = radius;
             open_up(bench);
             const StudioClay inside = bench.clay;
             bench.input.assist_gap_mm = 6.0;
@@ -61,7 +61,7 @@ TEST(Assist, AHandSetIntoAThickWallRaisesNoChimney) {
     for (const double x : {10.0, 20.0, 30.0}) {
         const auto height = [x](double gap) {
             Bench bench({.mass_g = 1000.0});
-            bench.input.hand.radius_mm = 12.6;
+            bench.input.radius_mm = 12.6;
             bench.at(0.0, 90.0);
             bench.move({0.0, 20.0, 0.0}, 4.0);
             bench.input.assist_gap_mm = gap;
@@ -80,7 +80,7 @@ TEST(Assist, AHandThatTremblesSqueezesNothing) {
     Bench bench({.mass_g = 1000.0});
     open_up(bench);
     const StudioClay before = bench.clay;
-    const dvec3 at = bench.input.hand.position_mm;
+    const dvec3 at = bench.input.position_mm;
     bench.input.assist_gap_mm = 6.0;
     // A tenth of a millimetre up and down at 10 Hz: up to 6 mm/s.
     for (int k = 0; k < 5000; ++k)
@@ -107,10 +107,10 @@ TEST(Assist, SqueezesOnTheWayUpAndNotOnTheWayDown) {
 TEST(Assist, AThickWallTakesSeveralPulls) {
     Bench bench({.mass_g = 1000.0});
     open_up(bench);
-    bench.input.hand.shaft_mm = 9.0;
+    bench.input.shaft_mm = 9.0;
     bench.move({20.0, 20.0, 0.0}, 3.0);
     bench.move({0.0, 100.0, 0.0}, 1.0);
-    bench.input.hand.shaft_mm = 0.0;
+    bench.input.shaft_mm = 0.0;
     double height = bench.clay.height_mm();
     double wall = bench.wall_at(30.0);
     EXPECT_GT(wall, 30.0);
@@ -155,7 +155,7 @@ struct Carried {
 // A ball inside a wall of 45 mm radius that goes 8 mm outward at half its height.
 Carried belly(double wall, double gap, double rate_hz = 1000.0) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, wall, 12.0, 100.0, 1000}, rate_hz);
-    const double start = 45.0 - wall - bench.input.hand.radius_mm;
+    const double start = 45.0 - wall - bench.input.radius_mm;
     bench.at(0.0, 130.0);
     bench.move({0.0, 60.0, 0.0}, 0.3);
     bench.move({start, 60.0, 0.0}, 0.3);
@@ -185,7 +185,7 @@ TEST(Assist, AWallHeldByBothIsCarriedOutwardAndNotSqueezed) {
 
 TEST(Assist, TwoHandsOfOnesOwnCarryWhatTheyHold) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
-    bench.input.has_second = true;
+    bench.input.second.present = true;
     const double squeezed = 0.5;  // by both together
     const auto hold_at = [&](double outward) {
         bench.input.second.position_mm = {55.0 - 0.5 * squeezed + outward, 60.0, 0.0};

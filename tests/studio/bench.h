@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "game/clay/studio/studio_clay.h"
 
 namespace onggi::clay::studio {
@@ -34,8 +35,13 @@ struct Bench {
         wall(of.outer_mm, of.thickness_mm, of.floor_mm, of.height_mm, of.rings);
     }
 
+    // The speed that the pedal asks for; the wheel comes to it by itself.
+    void pedal(double speed_rad_s) {
+        input.wheel_button = true;
+        input.wheel_speed_rev_min = units::rev_min_from_rad_s(speed_rad_s);
+    }
     void turn_at(double speed_rad_s) {
-        input.wheel_speed_rad_s = speed_rad_s;
+        pedal(speed_rad_s);
         clay.set_wheel_speed(speed_rad_s);
     }
     void wall(double outer, double thickness, double floor, double height, int rings) {
@@ -43,21 +49,21 @@ struct Bench {
     }
     StudioForces tick() { return clay.tick(input, parameters); }
     StudioForces at(double x, double y, double z = 0.0) {
-        input.hand.position_mm = {x, y, z};
+        input.position_mm = {x, y, z};
         return tick();
     }
     // Moves the hand in a straight line, for that long.
     StudioForces move(const dvec3& to, double seconds) {
-        const dvec3 from = input.hand.position_mm;
+        const dvec3 from = input.position_mm;
         const int ticks = std::max(1, static_cast<int>(seconds * parameters.rate_hz + 0.5));
         StudioForces forces;
         for (int k = 1; k <= ticks; ++k) {
-            input.hand.position_mm = from + (to - from) * (static_cast<double>(k) / ticks);
+            input.position_mm = from + (to - from) * (static_cast<double>(k) / ticks);
             forces = tick();
         }
         return forces;
     }
-    StudioForces hold(double seconds) { return move(input.hand.position_mm, seconds); }
+    StudioForces hold(double seconds) { return move(input.position_mm, seconds); }
     void lift() { at(0.0, 1000.0); }
 
     [[nodiscard]] int ring_at(double y) const { return clay.rings().ring_at(y); }
@@ -71,7 +77,7 @@ struct Bench {
 
     StudioClay clay;
     StudioParameters parameters;
-    StudioInput input;
+    tool::ToolState input{.position_mm = {0.0, 1000.0, 0.0}};
 };
 
 // Every ring's height is what its volume and radii make it, and no ring left its bounds.

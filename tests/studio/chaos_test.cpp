@@ -41,22 +41,23 @@ void throw_wildly(unsigned seed, int ticks, Wildness& seen) {
                 goal[h] = {uniform(-spread, spread), uniform(-20.0, 250.0), uniform(-spread, spread)};
                 if (random() % 20 == 0) place[h] = goal[h];  // a jump
             }
-            StudioHand& hand = random() % 2 == 0 ? bench.input.hand : bench.input.second;
-            hand.radius_mm = uniform(2.0, 40.0);
-            hand.tool = static_cast<StudioTool>(random() % 8 == 0 ? random() % 4 : 0);
-            bench.input.has_second = random() % 3 != 0;
+            const bool is_first = random() % 2 == 0;
+            (is_first ? bench.input.radius_mm : bench.input.second.radius_mm) = uniform(2.0, 40.0);
+            (is_first ? bench.input.tool : bench.input.second.tool) =
+                static_cast<tool::Tool>(random() % 8 == 0 ? random() % tool::kClayTools : 0);
+            bench.input.second.present = random() % 3 != 0;
             bench.input.assist_gap_mm = random() % 3 == 0 ? uniform(2.0, 12.0) : 0.0;
-            bench.input.wheel_speed_rad_s = random() % 8 == 0 ? 0.0 : uniform(2.0, 25.0);
+            bench.pedal(random() % 8 == 0 ? 0.0 : uniform(2.0, 25.0));
             bench.input.water = random() % 2 == 0 ? 1.0 : 0.0;
             bench.parameters.sponge_water_ml_s = random() % 2 == 0 ? uniform(0.0, 2.0) : 0.0;
-            bench.input.hand.shaft_mm = random() % 4 == 0 ? 9.0 : 0.0;
+            bench.input.shaft_mm = random() % 4 == 0 ? 9.0 : 0.0;
         }
         if (random() % 20000 == 0) {
-            bench.input.wire = Wire::kCutRim;
+            bench.input.wire = tool::Wire::kCutRim;
             bench.input.wire_height_mm = uniform(0.2, 1.1) * bench.clay.height_mm();
             ++seen.wires;
         } else {
-            bench.input.wire = Wire::kNone;
+            bench.input.wire = tool::Wire::kNone;
         }
         if (random() % 40000 == 0 || bench.clay.ring_count() < 20 || bench.clay.height_mm() < 8.0) {
             seen.splits += bench.clay.splits();
@@ -66,7 +67,7 @@ void throw_wildly(unsigned seed, int ticks, Wildness& seen) {
         }
         for (std::size_t h = 0; h < 2; ++h)
             place[h] += (goal[h] - place[h]) * 0.01;
-        bench.input.hand.position_mm = place[0];
+        bench.input.position_mm = place[0];
         bench.input.second.position_mm = place[1];
         const StudioForces forces = bench.tick();
         const dvec3 total = forces.total_n();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/core/units.h"
 #include "game/clay/studio/studio_clay.h"
 
 namespace onggi::clay::studio {
@@ -18,10 +19,15 @@ struct Finger {
         input.guided = true;
         input.pressing = false;
         input.water = 0.5;
-        input.wheel_speed_rad_s = 11.5;
+        pedal(11.5);
         wait(1.0);
     }
 
+    // The speed that the pedal asks for.
+    void pedal(double speed_rad_s) {
+        input.wheel_button = true;
+        input.wheel_speed_rev_min = units::rev_min_from_rad_s(speed_rad_s);
+    }
     void tick() {
         const bool counts = input.pressing;
         forces = clay.tick(input, parameters);
@@ -40,7 +46,7 @@ struct Finger {
         for (int i = 0; i < ticks; ++i) {
             const double part = static_cast<double>(i / each) * each / ticks;
             const dvec2 place = from + (to - from) * part;
-            input.hand.position_mm = {place.x, place.y, 0.0};
+            input.position_mm = {place.x, place.y, 0.0};
             tick();
         }
         input.pressing = false;
@@ -60,7 +66,7 @@ struct Finger {
 
     StudioClay clay;
     StudioParameters parameters;
-    StudioInput input;
+    tool::ToolState input;
     StudioForces forces;
 };
 

@@ -66,7 +66,7 @@ TEST(Grips, LetGoInTheTickInWhichTheFingerLifts) {
     // Over the clay, through it and away, as a hand does on its way to a button.
     finger.input.pressing = false;
     for (int i = 0; i < 3000; ++i) {
-        finger.input.hand.position_mm = {150.0 - 0.1 * i, 120.0 - 0.05 * i, 0.0};
+        finger.input.position_mm = {150.0 - 0.1 * i, 120.0 - 0.05 * i, 0.0};
         finger.tick();
         EXPECT_EQ(finger.forces.hand.contacts, 0);
     }
@@ -78,13 +78,13 @@ TEST(Grips, LeaveTheSameBitsWhenResumedInTheMiddleOfATouch) {
     finger.open();
     finger.input.pressing = true;
     for (int i = 0; i < 777; ++i) {
-        finger.input.hand.position_mm = {60.0 + 0.01 * i, 20.0 + 0.08 * i, 0.0};
+        finger.input.position_mm = {60.0 + 0.01 * i, 20.0 + 0.08 * i, 0.0};
         finger.tick();
     }
     auto copy = StudioClay::from_start_state(finger.clay.start_state());
     ASSERT_TRUE(copy) << copy.error().message;
     for (int i = 0; i < 500; ++i) {
-        finger.input.hand.position_mm.y += 0.05;
+        finger.input.position_mm.y += 0.05;
         finger.tick();
         copy->tick(finger.input, finger.parameters);
     }
@@ -120,10 +120,9 @@ TEST(Grips, KeepTheClayWholeWhateverAFingerDoes) {
         Finger finger(1000.0, mass_g);
         for (int i = 0; i < 25000; ++i) {
             if (i % 40 == 0) finger.input.pressing = random() % 8 != 0;
-            if (i % 25 == 0)
-                finger.input.hand.position_mm = {uniform(-200.0, 200.0), uniform(-50.0, 300.0), 0.0};
-            if (i % 997 == 0) finger.input.hand.position_mm.x = std::numeric_limits<double>::quiet_NaN();
-            if (i % 5000 == 0) finger.input.wheel_speed_rad_s = uniform(0.0, 20.0);
+            if (i % 25 == 0) finger.input.position_mm = {uniform(-200.0, 200.0), uniform(-50.0, 300.0), 0.0};
+            if (i % 997 == 0) finger.input.position_mm.x = std::numeric_limits<double>::quiet_NaN();
+            if (i % 5000 == 0) finger.pedal(uniform(0.0, 20.0));
             finger.tick();
         }
         const Rings& rings = finger.clay.rings();
@@ -140,7 +139,7 @@ TEST(Grips, KeepTheClayWholeWhateverAFingerDoes) {
 TEST(Grips, DentAWheelThatStands) {
     Finger finger;
     finger.open();
-    finger.input.wheel_speed_rad_s = 0.0;
+    finger.pedal(0.0);
     finger.wait(6.0);
     ASSERT_LT(finger.clay.wheel().speed_rad_s(), 0.2);
     const std::vector<double> before = finger.faces();

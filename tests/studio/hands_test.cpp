@@ -160,7 +160,7 @@ TEST(Move, ALumpPressedOnTopSpreadsAsAWholeAndStaysALump) {
 
 TEST(Move, AColumnPressedOnTopKeepsItsSidesUpright) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {30.0, 30.0, 120.0, 120.0, 1200});
-    bench.input.hand.side = WantedSide::kTop;
+    bench.input.side = tool::Side::kTop;
     bench.at(10.0, 135.0);
     bench.move({10.0, 90.0, 0.0}, 3.0);
     EXPECT_NEAR(bench.clay.height_mm(), 80.0, 3.0);
@@ -274,18 +274,19 @@ TEST(Move, AnAssistedPinchThinsTheWallToItsGapAndRaisesIt) {
 }
 
 TEST(Move, ASpongeFairsAWaveAndKeepsTheVolume) {
-    for (const StudioTool tool : {StudioTool::kSponge, StudioTool::kRib}) {
+    for (const tool::Tool tool : {tool::Tool::kSponge, tool::Tool::kRib}) {
         Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
         // A groove by a small hand.
-        bench.input.hand.radius_mm = 2.0;
+        bench.input.radius_mm = 2.0;
         bench.at(46.9, 60.0);
         bench.move({45.5, 60.0, 0.0}, 0.5);
         bench.lift();
         const double volume = bench.clay.volume_mm3();
         const double groove = bench.outer_at(66.0) - bench.outer_at(60.0);
         ASSERT_GT(groove, 0.5);
-        bench.input.hand = {.position_mm = {60.0, 60.0, 0.0}, .radius_mm = 10.0, .tool = tool};
-        bench.tick();
+        bench.input.radius_mm = 10.0;
+        bench.input.tool = tool;
+        bench.at(60.0, 60.0);
         bench.move({53.8, 60.0, 0.0}, 0.2);
         bench.hold(3.0);
         EXPECT_LT(bench.outer_at(66.0) - bench.outer_at(60.0), 0.5 * groove);
@@ -296,7 +297,7 @@ TEST(Move, ASpongeFairsAWaveAndKeepsTheVolume) {
 
 TEST(Move, TheTrimmerTakesClayToTheTrimmings) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
-    bench.input.hand.tool = StudioTool::kTrimmer;
+    bench.input.tool = tool::Tool::kTrimmer;
     bench.at(60.0, 40.0);
     bench.move({53.0, 40.0, 0.0}, 4.0);
     bench.hold(1.0);
@@ -310,8 +311,8 @@ TEST(Move, TheTrimmerTakesClayToTheTrimmings) {
 TEST(Move, TheTrimmerCutsAFootAndNeverThroughTheWall) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
     bench.clay.set_liquidity(0.0);  // leather-hard
-    bench.input.hand.tool = StudioTool::kTrimmer;
-    bench.input.hand.radius_mm = 4.0;
+    bench.input.tool = tool::Tool::kTrimmer;
+    bench.input.radius_mm = 4.0;
     // Round the foot, whose clay is solid: a step of three millimetres, and nothing above it.
     bench.at(60.0, 5.0);
     bench.move({46.0 - 0.25, 5.0, 0.0}, 2.0);

@@ -88,7 +88,8 @@ Outcome spin_bowl(double liquidity, double rev_min, bool forgiving = false) {
     bench.parameters.forgiving = forgiving;
     bench.parameters.wheel = WheelParameters();  // which a hand slows
     bench.clay.set_wheel_speed(0.0);
-    bench.input.wheel_speed_rad_s = units::rad_s_from_rev_min(rev_min);
+    bench.input.wheel_button = true;
+    bench.input.wheel_speed_rev_min = rev_min;
     bench.lift();
     Outcome outcome;
     outcome.height_before = bench.clay.height_mm();
@@ -249,7 +250,7 @@ TEST(Slump, DryHandsTearAThinWetWallOff) {
     bench.parameters.friction_dry = 1.5;  // a hand that sticks
     bench.parameters.largest_force_n = 100.0;
     // Two real hands, 0.2 mm apart: the assist would not squeeze without an upward motion.
-    bench.input.has_second = true;
+    bench.input.second.present = true;
     bench.input.second.position_mm = {17.8, 70.05, 0.0};
     bench.at(45.0, 70.05);
     bench.move({38.0, 70.05, 0.0}, 0.5);
@@ -275,7 +276,7 @@ TEST(Water, TheSpongeWetsWhatItTouchesAndHandsGrowSlippery) {
         std::sqrt(glm::dot(wet.friction_n, wet.friction_n) / glm::dot(wet.stiffness_n, wet.stiffness_n));
     EXPECT_NEAR(wet_ratio, 0.2, 0.01);
 
-    bench.input.hand.tool = StudioTool::kSponge;
+    bench.input.tool = tool::Tool::kSponge;
     bench.parameters.sponge_water_ml_s = 0.5;
     bench.hold(4.0);
     const Rings& rings = bench.clay.rings();

@@ -111,7 +111,7 @@ TEST(Rings, RowsOfResidualsStayWithTheirRings) {
 TEST(Wire, CutsTheRimLevelAndThePotOffWithoutLosingAGrain) {
     Bench bench;
     bench.wall(45.0, 6.5, 12.0, 100.0, 500);
-    bench.input.wire = Wire::kCutRim;
+    bench.input.wire = tool::Wire::kCutRim;
     bench.input.wire_height_mm = 90.0;
     bench.tick();
     EXPECT_NEAR(bench.clay.height_mm(), 90.0, 1e-5);
@@ -121,9 +121,9 @@ TEST(Wire, CutsTheRimLevelAndThePotOffWithoutLosingAGrain) {
     bench.hold(0.01);
     EXPECT_NEAR(bench.clay.height_mm(), 90.0, 1e-5) << "one pull cuts once";
 
-    bench.input.wire = Wire::kNone;
+    bench.input.wire = tool::Wire::kNone;
     bench.tick();
-    bench.input.wire = Wire::kCutOff;
+    bench.input.wire = tool::Wire::kCutOff;
     bench.input.wire_height_mm = 2.0;
     bench.tick();
     EXPECT_TRUE(bench.clay.is_cut_off());

@@ -10,13 +10,13 @@ namespace {
 void short_throw(Bench& bench) {
     std::vector<Stroke> strokes = opened();
     add_pull(strokes, 47.0, 46.0, 12.0, 70.0);
-    strokes.push_back({0.2, 54.0, 30.0, 0.0, 0.0, StudioTool::kSponge});
-    strokes.push_back({0.2, 54.0, 40.0, 0.0, 0.0, StudioTool::kRib});
-    strokes.push_back({0.2, 54.0, 45.0, 0.0, 0.0, StudioTool::kTrimmer});
+    strokes.push_back({0.2, 54.0, 30.0, 0.0, 0.0, tool::Tool::kSponge});
+    strokes.push_back({0.2, 54.0, 40.0, 0.0, 0.0, tool::Tool::kRib});
+    strokes.push_back({0.2, 54.0, 45.0, 0.0, 0.0, tool::Tool::kTrimmer});
     bench.parameters.sponge_water_ml_s = 1.0;
     throw_pot(bench, strokes);
-    bench.input.hand.tool = StudioTool::kHand;
-    bench.input.wire = Wire::kCutRim;
+    bench.input.tool = tool::Tool::kHand;
+    bench.input.wire = tool::Wire::kCutRim;
     bench.input.wire_height_mm = bench.clay.height_mm() - 3.0;
     bench.tick();
     bench.turn_at(0.0);
@@ -109,9 +109,9 @@ TEST(State, RejectsDamagedBytes) {
 
     // Any single damaged byte is refused or yields a state that can be ticked.
     StudioParameters parameters;
-    StudioInput input;
-    input.hand.position_mm = {40.0, 10.0, 0.0};
-    input.wheel_speed_rad_s = kThrowingSpeed;
+    tool::ToolState input;
+    input.position_mm = {40.0, 10.0, 0.0};
+    input.wheel_button = true;  // 120 rev/min
     for (std::size_t at = 0; at < sound.size(); at += 11) {
         std::vector<std::byte> bytes = sound;
         bytes[at] ^= std::byte{0x5a};
@@ -129,7 +129,7 @@ TEST(State, AHandThatIsNoNumberIsAway) {
     const StudioForces forces = bench.at(55.0, HUGE_VAL);
     EXPECT_EQ(forces.side, Side::kFree);
     EXPECT_EQ(forces.hand.contacts, 0);
-    bench.input.wheel_speed_rad_s = std::nan("");
+    bench.input.wheel_speed_rev_min = std::nan("");
     bench.at(55.0, 20.0);
     EXPECT_TRUE(std::isfinite(bench.clay.wheel().speed_rad_s()));
     expect_sound(bench.clay);

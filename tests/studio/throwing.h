@@ -14,7 +14,7 @@ struct Stroke {
     double y_mm;
     double gap_mm = 0.0;  // of the assist
     double shaft_mm = 0.0;
-    StudioTool tool = StudioTool::kHand;
+    tool::Tool tool = tool::Tool::kHand;
 };
 
 // Throws from far above the lump. The same way at every rate: tick k is at t = k/rate.
@@ -26,8 +26,8 @@ inline void throw_pot(Bench& bench, const std::vector<Stroke>& strokes) {
     long tick = 0;
     for (const Stroke& stroke : strokes) {
         bench.input.assist_gap_mm = stroke.gap_mm;
-        bench.input.hand.shaft_mm = stroke.shaft_mm;
-        bench.input.hand.tool = stroke.tool;
+        bench.input.shaft_mm = stroke.shaft_mm;
+        bench.input.tool = stroke.tool;
         const double end = start + stroke.seconds;
         for (; static_cast<double>(tick) / bench.parameters.rate_hz < end; ++tick) {
             const double part =

@@ -67,9 +67,9 @@ double mean_liquidity(const StudioClay& clay, double low_mm, double high_mm) {
     return sum / counted;
 }
 
-void draw_up(Finger& finger, StudioTool tool, double seconds = 4.0) {
-    finger.input.hand.tool = tool;
-    finger.input.hand.radius_mm = 12.0;
+void draw_up(Finger& finger, tool::Tool tool, double seconds = 4.0) {
+    finger.input.tool = tool;
+    finger.input.radius_mm = 12.0;
     finger.stroke({41.0, 30.0}, {41.0, 100.0}, seconds);
 }
 
@@ -78,7 +78,7 @@ TEST(ToolsInHand, ARibFairsTheWallAndKeepsItsHeight) {
     const double before_mm = roughness_mm(finger.clay, 45.0, 85.0);
     const double height_mm = finger.clay.height_mm();
     ASSERT_GT(before_mm, 0.3);
-    draw_up(finger, StudioTool::kRib);
+    draw_up(finger, tool::Tool::kRib);
     EXPECT_LT(roughness_mm(finger.clay, 45.0, 85.0), 0.25 * before_mm);
     EXPECT_NEAR(finger.clay.height_mm(), height_mm, 1.0);
     EXPECT_EQ(finger.forces.hand.contacts, 0) << "lifted at the end of the stroke";
@@ -88,8 +88,8 @@ TEST(ToolsInHand, ASpongeSmoothsWithoutFairing) {
     Finger by_sponge = rough_pot();
     Finger by_rib = rough_pot();
     const double before_mm = roughness_mm(by_sponge.clay, 45.0, 85.0);
-    draw_up(by_sponge, StudioTool::kSponge);
-    draw_up(by_rib, StudioTool::kRib);
+    draw_up(by_sponge, tool::Tool::kSponge);
+    draw_up(by_rib, tool::Tool::kRib);
     const double after_mm = roughness_mm(by_sponge.clay, 45.0, 85.0);
     EXPECT_LT(after_mm, 0.7 * before_mm);
     EXPECT_GT(after_mm, roughness_mm(by_rib.clay, 45.0, 85.0)) << "a soft thing follows the waves";
@@ -99,11 +99,11 @@ TEST(ToolsInHand, AWetSpongeGivesWaterAndASqueezedOneTakesIt) {
     Finger finger = rough_pot();
     finger.input.water = 1.0;
     const double fresh = mean_liquidity(finger.clay, 45.0, 85.0);
-    draw_up(finger, StudioTool::kSponge);
+    draw_up(finger, tool::Tool::kSponge);
     const double wet = mean_liquidity(finger.clay, 45.0, 85.0);
     EXPECT_GT(wet, fresh + 0.02);
     finger.input.water = 0.0;
-    draw_up(finger, StudioTool::kSponge, 8.0);
+    draw_up(finger, tool::Tool::kSponge, 8.0);
     const double drained = mean_liquidity(finger.clay, 45.0, 85.0);
     EXPECT_LT(drained, wet - 0.5 * (wet - fresh));
     EXPECT_GT(drained, fresh - 0.02) << "what belongs to the clay stays in it";
@@ -112,10 +112,10 @@ TEST(ToolsInHand, AWetSpongeGivesWaterAndASqueezedOneTakesIt) {
 TEST(ToolsInHand, TheWireLevelsTheRimToATenthOfAMillimetre) {
     Finger finger = rough_pot();
     finger.input.pressing = false;
-    finger.input.wire = Wire::kCutRim;
+    finger.input.wire = tool::Wire::kCutRim;
     finger.input.wire_height_mm = 113.3;
     finger.tick();
-    finger.input.wire = Wire::kNone;
+    finger.input.wire = tool::Wire::kNone;
     EXPECT_NEAR(finger.clay.height_mm(), 113.3, 0.1);
     finger.wait(0.1);
     EXPECT_NEAR(finger.clay.height_mm(), 113.3, 0.1);
@@ -125,14 +125,14 @@ TEST(ToolsInHand, TheWireLevelsTheRimToATenthOfAMillimetre) {
 
 // Scrubs like a child: anywhere, in any direction, at any speed, for half a minute.
 TEST(ToolsInHand, NoRibOrSpongeRuinsAPot) {
-    for (const StudioTool tool : {StudioTool::kRib, StudioTool::kSponge}) {
+    for (const tool::Tool tool : {tool::Tool::kRib, tool::Tool::kSponge}) {
         Finger finger = rough_pot();
-        std::minstd_rand random(tool == StudioTool::kRib ? 7 : 11);
+        std::minstd_rand random(tool == tool::Tool::kRib ? 7 : 11);
         std::uniform_real_distribution<double> across(-70.0, 70.0);
         std::uniform_real_distribution<double> up(-5.0, 140.0);
         const double volume_mm3 = finger.clay.volume_mm3();
-        finger.input.hand.tool = tool;
-        finger.input.hand.radius_mm = 20.0;
+        finger.input.tool = tool;
+        finger.input.radius_mm = 20.0;
         finger.input.water = 0.25;
         for (int stroke = 0; stroke < 60; ++stroke)
             finger.stroke({across(random), up(random)}, {across(random), up(random)}, 0.5);
@@ -148,7 +148,7 @@ double mean(std::span<const double> values) {
 }
 
 TEST(ToolsInHand, LeaveAThrownPotAsTallAndAsWideInside) {
-    for (const StudioTool tool : {StudioTool::kRib, StudioTool::kSponge}) {
+    for (const tool::Tool tool : {tool::Tool::kRib, tool::Tool::kSponge}) {
         Finger finger;
         finger.open();
         finger.pull(100.0);
@@ -156,8 +156,8 @@ TEST(ToolsInHand, LeaveAThrownPotAsTallAndAsWideInside) {
         const double height_mm = finger.clay.height_mm();
         const double inside_mm = mean(finger.clay.inner_mm());
         const double outside_mm = mean(finger.clay.outer_mm());
-        finger.input.hand.tool = tool;
-        finger.input.hand.radius_mm = 12.0;
+        finger.input.tool = tool;
+        finger.input.radius_mm = 12.0;
         for (int stroke = 0; stroke < 3; ++stroke)
             finger.stroke({45.0, 0.3 * height_mm}, {45.0, 0.8 * height_mm}, 2.0);
         EXPECT_NEAR(finger.clay.height_mm(), height_mm, 2.0) << static_cast<int>(tool);
@@ -170,7 +170,7 @@ TEST(ToolsInHand, AFingerFarFromTheClayMovesNothing) {
     Finger finger = rough_pot();
     const double before_mm = roughness_mm(finger.clay, 45.0, 85.0);
     const double height_mm = finger.clay.height_mm();
-    finger.input.hand.tool = StudioTool::kRib;
+    finger.input.tool = tool::Tool::kRib;
     finger.stroke({90.0, 30.0}, {90.0, 100.0}, 0.5);
     finger.stroke({0.0, 170.0}, {20.0, 170.0}, 0.5);
     EXPECT_NEAR(roughness_mm(finger.clay, 45.0, 85.0), before_mm, 0.03) << "rings come together, no more";
@@ -182,8 +182,8 @@ TEST(ToolsInHand, AreTheSameOnceMoreToTheBit) {
     Finger one = rough_pot(4000.0);
     Finger other = rough_pot(4000.0);
     for (Finger* finger : {&one, &other}) {
-        draw_up(*finger, StudioTool::kRib, 1.0);
-        draw_up(*finger, StudioTool::kSponge, 1.0);
+        draw_up(*finger, tool::Tool::kRib, 1.0);
+        draw_up(*finger, tool::Tool::kSponge, 1.0);
     }
     EXPECT_EQ(one.clay.state_hash(), other.clay.state_hash());
 }

@@ -13,8 +13,8 @@ Bench thick_pot(bool forgiving = true) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {50.0, 14.0, kFloorMm, 90.0, 900});
     bench.input.guided = true;
     bench.input.pressing = false;
-    bench.input.hand.tool = StudioTool::kTrimmer;
-    bench.input.hand.radius_mm = 7.0;
+    bench.input.tool = tool::Tool::kTrimmer;
+    bench.input.radius_mm = 7.0;
     bench.parameters.forgiving = forgiving;
     bench.at(60.0, 20.0);
     bench.hold(1.0);

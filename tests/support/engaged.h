@@ -1,5 +1,5 @@
-// The initial state for tests of the safety chain: at 4 kHz, after the ramp and a second of calm. Also the
-// force and the special numbers that these tests use.
+// The initial state for tests of the safety chain: at 4 kHz, after the ramp and a second of calm. And the
+// force and the numbers that they feed it.
 #pragma once
 
 #include <cmath>

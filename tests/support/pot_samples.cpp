@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "engine/files/read_file.h"
-#include "engine/haptics/gesture.h"
 #include "game/clay/paper_clay.h"
+#include "game/tool/gesture.h"
 #include "tests/support/places.h"
 
 namespace onggi::support {
@@ -88,15 +88,15 @@ PotSample pressed_lump(int element_count) {
 
 PotSample thrown_vase() {
     const Result<std::string> text =
-        files::read_file(test::in_checkout("assets/gestures/vase.csv"), haptics::kMaxGestureBytes);
+        files::read_file(test::in_checkout("assets/gestures/vase.csv"), tool::kMaxGestureBytes);
     if (!text) throw std::runtime_error(text.error().message);
-    const Result<haptics::Gesture> gesture = haptics::parse_gesture(*text, "vase.csv");
+    const Result<tool::Gesture> gesture = tool::parse_gesture(*text, "vase.csv");
     if (!gesture) throw std::runtime_error(gesture.error().message);
     const clay::PaperParameters parameters;
     clay::PaperClay clay;
     const std::uint64_t ticks = gesture->tick_count(parameters.rate_hz);
     for (std::uint64_t k = 0; k < ticks; ++k) {
-        const haptics::ToolState tool = gesture->at_tick(k, parameters.rate_hz);
+        const tool::ToolState tool = gesture->at_tick(k, parameters.rate_hz);
         clay.tick({tool.position_mm, tool.radius_mm, tool.wheel_button}, parameters);
     }
     const auto radii_mm = clay.radii_mm();

@@ -4,21 +4,21 @@
 
 #include <cmath>
 
-#include "engine/haptics/haptic_device.h"
+#include "game/haptic/tool_device.h"
 
 namespace onggi::test {
 
-inline haptics::ToolState scripted_tool(std::uint64_t tick) {
+inline tool::ToolState scripted_tool(std::uint64_t tick) {
     const double t = static_cast<double>(tick % 3000) / 3000.0;
     const double there_and_back = 1.0 - std::abs(2.0 * t - 1.0);
-    haptics::ToolState tool;
+    tool::ToolState tool;
     tool.position_mm = {75.0 - 9.03 * there_and_back, 20.013 + 160.0 * t, 3.0 * t};
     tool.radius_mm = 8.0 + 6.0 * t;
     tool.wheel_button = tick % 3000 > 200;
     return tool;
 }
 
-class ScriptedDevice : public haptics::HapticDevice {
+class ScriptedDevice : public haptic::ToolDevice {
   public:
     Result<void> open() override {
         ++opened;
@@ -26,7 +26,7 @@ class ScriptedDevice : public haptics::HapticDevice {
     }
     void close() noexcept override { ++closed; }
     [[nodiscard]] haptics::DeviceCapabilities capabilities() const override { return {.name = "script"}; }
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override {
         ++reads;
         last_tick = tick;
         longest_dt_s = std::fmax(longest_dt_s, dt_s);

@@ -1,5 +1,5 @@
 // Corrects the checksums of a damaged session file, so that tests and fuzzers reach the checks behind them.
-// Written from engine/record/README.md, not from the code under test.
+// Written from game/record/README.md, not from the code under test.
 #pragma once
 
 #include <zlib.h>

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/app/kiosk/hand/kiosk_touch.h"
+#include "game/app/kiosk/finger/kiosk_touch.h"
 
 namespace onggi::visitors {
 namespace {
@@ -70,11 +70,11 @@ void FilmedRig::take_picture(const dvec2& pointer_px, bool pressed) {
 }
 
 double FilmedRig::outer_mm(double y_mm) const {
-    return app::wall_at(shape(), std::clamp(y_mm, 0.0, height_mm() - kJustInsideMm)).outer_mm;
+    return wall_at(shape(), std::clamp(y_mm, 0.0, height_mm() - kJustInsideMm)).outer_mm;
 }
 
 double FilmedRig::inner_mm(double y_mm) const {
-    return app::wall_at(shape(), std::clamp(y_mm, 0.0, height_mm() - kJustInsideMm)).inner_mm;
+    return wall_at(shape(), std::clamp(y_mm, 0.0, height_mm() - kJustInsideMm)).inner_mm;
 }
 
 }  // namespace onggi::visitors

@@ -8,7 +8,7 @@ namespace {
 constexpr double kRateHz = 1000.0;
 constexpr double kPxPerMm = 10.0 / 4.8;
 constexpr dvec2 kAxisFootPx{640.0, 450.0};
-constexpr app::HandSettings kSettings;
+constexpr app::HeldTool kHeld;
 
 dvec2 px_of(const dvec2& place_mm) {
     return {kAxisFootPx.x + place_mm.x * kPxPerMm, kAxisFootPx.y - place_mm.y * kPxPerMm};
@@ -51,18 +51,18 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     was_pressed_ = pressed;
     pointer_.pass_time(now_s_, all);
     for (const app::PointerNews& news : all) {
-        if (news.kind == Kind::kHandDown) hand_.press(place_at(news.at_px));
-        if (news.kind == Kind::kHandMoved) hand_.drag(place_at(news.at_px));
-        if (news.kind == Kind::kHandUp) hand_.release();
-        if (news.kind == Kind::kHovered) hand_.hover(place_at(news.at_px));
+        if (news.kind == Kind::kFingerDown) finger_.press(place_at(news.at_px));
+        if (news.kind == Kind::kFingerMoved) finger_.drag(place_at(news.at_px));
+        if (news.kind == Kind::kFingerUp) finger_.release();
+        if (news.kind == Kind::kHovered) finger_.hover(place_at(news.at_px));
     }
     if (!outline_mm_.empty())
-        hand_.set_outline(outline_mm_, app::outline_help_after(lesson_.steps_done(shape_)));
-    haptics::ToolState tool = hand_.request(kSettings, shape_, kFrameS);
+        finger_.set_outline(outline_mm_, app::outline_help_after(lesson_.steps_done(shape_)));
+    tool::ToolState tool = finger_.request(kHeld, shape_, kFrameS);
     tool.wheel_button = true;
     device_.set_target(tool);
     for (; static_cast<double>(ticks_) < now_s_ * kRateHz; ++ticks_)
-        haptic::tick(state_, device_.read(ticks_, 1.0 / kRateHz), parameters_);
+        haptic::tick(state_, device_.read_tool(ticks_, 1.0 / kRateHz), parameters_);
     shape_ = haptic::pot_of(state_);
 }
 

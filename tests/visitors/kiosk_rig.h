@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "engine/haptics/simulated_device.h"
-#include "game/app/kiosk/hand/kiosk_hand.h"
-#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
+#include "game/app/kiosk/finger/kiosk_pointer.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
+#include "game/haptic/simulated_device.h"
 #include "game/haptic/tick.h"
 #include "tests/visitors/wheel_rig.h"
 
@@ -34,8 +34,8 @@ class KioskRig final : public WheelRig {
 
   private:
     app::KioskPointer pointer_;
-    app::KioskHand hand_;
-    haptics::SimulatedDevice device_;
+    app::KioskFinger finger_;
+    haptic::SimulatedDevice device_;
     haptic::HapticParameters parameters_;
     haptic::HapticState state_;
     pot::Pot shape_;

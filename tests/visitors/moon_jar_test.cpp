@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include "game/app/kiosk/presentation/exhibits.h"
 #include "game/clay/studio/joining.h"
+#include "game/heritage/jar.h"
 #include "tests/support/places.h"
 #include "tests/visitors/kiosk_rig.h"
 #include "tests/visitors/population.h"
@@ -53,20 +53,18 @@ clay::StudioClay throw_bowl(std::uint64_t seed, const std::vector<dvec2>& shown,
 // Turns the jar for ten seconds without a touch.
 void stand(clay::StudioClay& jar) {
     constexpr int kTicks = 10'000;
-    constexpr double kWheelRadS = 8.0;
     clay::StudioParameters parameters;
     parameters.rate_hz = 1000.0;
     parameters.forgiving = true;
-    clay::StudioInput input;
-    input.hand.position_mm = {0.0, 400.0, 0.0};
-    input.wheel_speed_rad_s = kWheelRadS;
+    const tool::ToolState away{
+        .position_mm = {0.0, 400.0, 0.0}, .wheel_button = true, .wheel_speed_rev_min = 76.4};
     for (int tick = 0; tick < kTicks; ++tick)
-        jar.tick(input, parameters);
+        jar.tick(away, parameters);
 }
 
 Jar make_jar(const heritage::Target& target, std::uint64_t seed) {
     constexpr std::size_t kPoints = 40;
-    const heritage::JarOfTwo after = app::jar_of(target);
+    const heritage::JarOfTwo after = heritage::jar_of(target);
     Jar made;
     const std::vector<dvec2> shown(after.bowl_mm.begin(), after.bowl_mm.end());
     const clay::StudioClay first = throw_bowl(2 * seed, shown, made.seconds);

@@ -5,6 +5,7 @@
 
 #include "game/app/kiosk/presentation/exhibits.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
+#include "game/heritage/jar.h"
 #include "game/heritage/target.h"
 #include "tests/support/places.h"
 #include "tests/visitors/population.h"
@@ -28,16 +29,19 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
     constexpr int kEach = 6;
     constexpr double kMostSteep = 0.1;
     int followed = 0;
-    const auto targets = heritage::load_targets(test::in_checkout("assets/heritage"));
+    const std::string folder = test::in_checkout("assets/heritage");
+    const auto targets = heritage::load_targets(folder);
     ASSERT_TRUE(targets) << targets.error().message;
+    const auto shelf = heritage::load_shelf(folder, *targets);
+    ASSERT_TRUE(shelf) << shelf.error().message;
     std::vector<std::size_t> places;
-    const auto exhibits = app::exhibits_of(*targets, {}, places);
+    const auto exhibits = app::exhibits_of(*targets, {.shelf = *shelf, .cards = {}, .languages = {}}, places);
     ASSERT_GE(exhibits.size(), 4U);
     std::vector<std::vector<Left>> sheet;
     for (const std::size_t place : places) {
         const heritage::Target& target = (*targets)[place];
         if (heritage::is_of_two_bowls(target)) continue;  // moon_jar_test.cpp
-        const std::vector<vec2> outline = app::wet_outline(target);
+        const std::vector<vec2> outline = heritage::wet_outline(target);
         const auto all = throw_pots({.kind = Kind::kFollowsOutline,
                                      .count = kEach,
                                      .first_seed = 41,

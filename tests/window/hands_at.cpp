@@ -22,7 +22,7 @@
 #include <thread>
 
 #include "engine/haptics/hid/simple_drivers.h"
-#include "game/app/devices/gamepad_hand.h"
+#include "game/app/devices/gamepad_finger.h"
 #include "tests/device/mock_devices.h"
 #include "tests/device/mock_gamepad.h"
 

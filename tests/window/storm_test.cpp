@@ -90,7 +90,7 @@ class AWindow : public testing::Test {
         int shown = 0;
         for (int frame = 0; frame < frames; ++frame) {
             static_cast<void>(view_->poll_events());
-            const auto drawn = view_->draw({.pot = &pot_, .hand = {.position_mm = {72.0, 100.0, 0.0}}});
+            const auto drawn = view_->draw({.tool = {.position_mm = {72.0, 100.0, 0.0}}, .pot = &pot_});
             EXPECT_TRUE(drawn) << drawn.error().message;
             if (!drawn) return shown;
             shown += *drawn ? 1 : 0;

@@ -213,7 +213,7 @@ InverseDevice::InverseDevice(const haply::InverseOptions& options)
     : options_(options),
       client_(link_, options),
       offset_mm_(kStartMm),
-      tool_{.position_mm = kStartMm},
+      sample_{.position_mm = kStartMm},
       sense_(kNoiseMm) {}
 
 Result<void> InverseDevice::open() {
@@ -234,7 +234,7 @@ DeviceCapabilities InverseDevice::capabilities() const {
             .coulomb_friction_n = kFrictionN};
 }
 
-ToolState InverseDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
+HandSample InverseDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const haply::SpaceInput& input = link_.input.latest();
     is_new_ = input.heartbeat != last_heartbeat_;
     silence_s_ = is_new_ ? 0.0 : silence_s_ + dt_s;
@@ -244,18 +244,18 @@ ToolState InverseDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     is_here_ = input.is_live && silence_s_ <= kSilenceS;
     is_moving_ = is_here_ && sense_.moved_to(input.place_mm);
     // Back again, it goes on from where the tool was left, wherever the hand has been meanwhile.
-    if (is_here_ && !was_here) offset_mm_ = tool_.position_mm - input.place_mm;
-    if (is_here_) tool_.position_mm = input.place_mm + offset_mm_;
-    return tool_;
+    if (is_here_ && !was_here) offset_mm_ = sample_.position_mm - input.place_mm;
+    if (is_here_) sample_.position_mm = input.place_mm + offset_mm_;
+    return sample_;
 }
 
 void InverseDevice::write(const dvec3& force_n) noexcept {
     link_.order.put({.force_n = force_n, .ticks = ++ticks_});
 }
 
-void InverseDevice::take_over(const ToolState& tool) noexcept {
-    offset_mm_ += tool.position_mm - tool_.position_mm;
-    tool_.position_mm = tool.position_mm;
+void InverseDevice::take_over(const dvec3& position_mm) noexcept {
+    offset_mm_ += position_mm - sample_.position_mm;
+    sample_.position_mm = position_mm;
 }
 
 }  // namespace onggi::haptics

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "engine/haptics/hand.h"
 #include "engine/haptics/haply/inverse_session.h"
+#include "engine/haptics/haptic_device.h"
 #include "engine/jobs/io_thread.h"
 
 namespace onggi::haptics {
@@ -31,7 +31,7 @@ class InverseClient final : public jobs::IoWork {
 
 }  // namespace haply
 
-class InverseDevice final : public Hand {
+class InverseDevice final : public HapticDevice {
   public:
     explicit InverseDevice(const haply::InverseOptions& options = {});
     ~InverseDevice() override { close(); }
@@ -42,15 +42,15 @@ class InverseDevice final : public Hand {
     void close() noexcept override { thread_.stop(); }
     [[nodiscard]] DeviceCapabilities capabilities() const override;
 
-    [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
-    [[nodiscard]] HandSigns signs() const noexcept override {
+    [[nodiscard]] HandSample read(std::uint64_t tick, double dt_s) noexcept override;
+    [[nodiscard]] DeviceSigns signs() const noexcept override {
         return {.position_is_new = is_new_, .hand_is_there = is_here_, .force_fraction = force_fraction_};
     }
     void write(const dvec3& force_n) noexcept override;
     void silence() noexcept override { link_.silences.fetch_add(1, std::memory_order_relaxed); }
     [[nodiscard]] bool is_here() const noexcept override { return is_here_; }
     [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
-    void take_over(const ToolState& tool) noexcept override;
+    void take_over(const dvec3& position_mm) noexcept override;
 
     // Main thread, any time.
     [[nodiscard]] const hid::HidStatus& status() noexcept { return link_.status.latest(); }
@@ -62,7 +62,7 @@ class InverseDevice final : public Hand {
     jobs::IoThread thread_;
     // Haptic thread only.
     dvec3 offset_mm_;  // from the cursor's place to the tool's
-    ToolState tool_;
+    HandSample sample_;
     std::uint64_t last_heartbeat_ = 0;
     double silence_s_ = 0.0;
     double force_fraction_ = 0.0;

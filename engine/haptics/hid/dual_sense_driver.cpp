@@ -59,7 +59,7 @@ TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
 }
 
 std::array<std::uint8_t, 3> light_for(const ForceOrder& order) noexcept {
-    if (!order.wheel_turns) return kWheelStands;
+    if (!order.turns) return kWheelStands;
     const double load = std::clamp(std::isfinite(order.work.load) ? order.work.load : 0.0, 0.0, 1.0);
     const double step = std::floor(load * kLightSteps) / kLightSteps;
     const auto& from = step < 0.5 ? kAtEase : kStrained;
@@ -145,8 +145,8 @@ double DualSenseDriver::press_mm() const noexcept {
     return mapping_.press_mm * state_.right_trigger / 255.0;
 }
 
-HandInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
-    HandInput input{.motion = HandInput::Motion::kRate};
+DeviceInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
+    DeviceInput input{.motion = DeviceInput::Motion::kRate};
     input.is_live = was_heard_ && now_ns - heard_ns_ <= kSilenceNs;
     input.is_fresh = was_heard_ && heard_ns_ == now_ns;
     input.rate_mm_s =
@@ -155,8 +155,8 @@ HandInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
     input.travelled_mm = travelled_mm_;
     input.press_mm = press_mm();
     if (state_.left_trigger >= kPedalDown)
-        input.wheel_rev_min = mapping_.fastest_rev_min * state_.left_trigger / 255.0;
-    input.wheel_button = wheel_turns_ || state_.left_trigger >= kPedalDown;
+        input.rev_min = mapping_.fastest_rev_min * state_.left_trigger / 255.0;
+    input.button = wheel_turns_ || state_.left_trigger >= kPedalDown;
     input.buttons = state_.buttons;
     return input;
 }

@@ -8,8 +8,8 @@
 
 #include <optional>
 
+#include "engine/haptics/hid/device_input.h"
 #include "engine/haptics/hid/dual_sense.h"
-#include "engine/haptics/hid/hand_input.h"
 #include "engine/haptics/hid/hid_driver.h"
 #include "engine/haptics/safety_chain.h"
 
@@ -44,7 +44,7 @@ class DualSenseDriver final : public HidDriver {
     [[nodiscard]] DeviceCapabilities capabilities() const override;
     Result<void> start(const HidDeviceInfo& device, HidPort& port) override;
     void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept override;
-    [[nodiscard]] HandInput input(std::int64_t now_ns) const noexcept override;
+    [[nodiscard]] DeviceInput input(std::int64_t now_ns) const noexcept override;
     Result<void> send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) override;
     void stop(HidPort& port) noexcept override;
 

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "engine/haptics/hid/hand_input.h"
+#include "engine/haptics/hid/device_input.h"
 #include "engine/haptics/hid/hid_driver.h"
 #include "engine/haptics/safety_chain.h"
 

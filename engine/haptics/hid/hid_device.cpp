@@ -66,19 +66,18 @@ void HidDevice::close() noexcept {
     thread_.stop();
 }
 
-ToolState HidDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
-    const hid::HandInput& input = link_.input.latest();
+HandSample HidDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
+    const hid::DeviceInput& input = link_.input.latest();
     shows_wall_ = input.shows_wall;
     force_fraction_ = input.force_fraction;
-    tool_ = tracker_.moved(input, dt_s);
-    return tool_;
+    return sample_ = tracker_.moved(input, dt_s);
 }
 
 void HidDevice::write(const dvec3& force_n) noexcept {
     link_.force.put({.force_n = {force_n.x, force_n.y},
                      .tangential_n = force_n.z,
-                     .tool_mm = {tool_.position_mm.x, tool_.position_mm.y},
-                     .wheel_turns = tool_.wheel_button,
+                     .tool_mm = {sample_.position_mm.x, sample_.position_mm.y},
+                     .turns = sample_.button,
                      .work = work_,
                      .ticks = ++ticks_});
 }

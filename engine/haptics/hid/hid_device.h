@@ -14,7 +14,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/haptics/hand.h"
+#include "engine/haptics/haptic_device.h"
 #include "engine/haptics/hid/dual_sense_driver.h"
 #include "engine/haptics/hid/hid_kind.h"
 #include "engine/haptics/hid/hid_session.h"
@@ -33,7 +33,7 @@ struct HidDeviceOptions {
     std::string only = {};          // use only this node (/dev/hidrawN); empty: any of its kind
 };
 
-class HidDevice final : public Hand {
+class HidDevice final : public HapticDevice {
   public:
     HidDevice(const HidDeviceOptions& options, std::unique_ptr<hid::HidBus> bus);
     ~HidDevice() override { close(); }
@@ -44,8 +44,8 @@ class HidDevice final : public Hand {
     void close() noexcept override;
     [[nodiscard]] DeviceCapabilities capabilities() const override { return capabilities_; }
 
-    [[nodiscard]] ToolState read(std::uint64_t tick, double dt_s) noexcept override;
-    [[nodiscard]] HandSigns signs() const noexcept override {
+    [[nodiscard]] HandSample read(std::uint64_t tick, double dt_s) noexcept override;
+    [[nodiscard]] DeviceSigns signs() const noexcept override {
         return {.position_is_new = tracker_.was_refreshed(),
                 .hand_is_there = tracker_.input_is_live(),
                 .shows_wall = shows_wall_,
@@ -57,7 +57,7 @@ class HidDevice final : public Hand {
 
     [[nodiscard]] bool is_here() const noexcept override { return tracker_.input_is_live(); }
     [[nodiscard]] bool is_moving() const noexcept override { return tracker_.hand_moves(); }
-    void take_over(const ToolState& tool) noexcept override { tracker_.put_at(tool.position_mm); }
+    void take_over(const dvec3& position_mm) noexcept override { tracker_.put_at(position_mm); }
 
     // Main thread, any time.
     [[nodiscard]] const hid::HidStatus& status() noexcept { return link_.status.latest(); }
@@ -71,7 +71,7 @@ class HidDevice final : public Hand {
     jobs::IoThread thread_;
     // Haptic thread only.
     hid::ToolTracker tracker_;
-    ToolState tool_;
+    HandSample sample_;
     double force_fraction_ = 0.0;
     WorkFelt work_;
     bool shows_wall_ = false;

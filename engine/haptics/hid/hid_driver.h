@@ -8,7 +8,7 @@
 #include <span>
 
 #include "engine/haptics/haptic_device.h"
-#include "engine/haptics/hid/hand_input.h"
+#include "engine/haptics/hid/device_input.h"
 #include "engine/haptics/hid/hid_port.h"
 
 namespace onggi::haptics::hid {
@@ -26,7 +26,7 @@ class HidDriver {
     // Every report, in order.
     virtual void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept = 0;
     // What all the reports so far say of the hand. is_live false: silent for longer than this device ever is.
-    [[nodiscard]] virtual HandInput input(std::int64_t now_ns) const noexcept = 0;
+    [[nodiscard]] virtual DeviceInput input(std::int64_t now_ns) const noexcept = 0;
     // Tells the device, where something has changed or is due. The force has passed every limit. An error:
     // the device is gone.
     virtual Result<void> send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) = 0;

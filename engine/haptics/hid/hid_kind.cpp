@@ -12,7 +12,8 @@ namespace onggi::haptics::hid {
 namespace {
 
 constexpr std::uint16_t k3Dconnexion = 0x256f;
-constexpr Usage kJoystick = usage(0x01, 0x04);
+constexpr Usage kMouse = usage(0x01, 0x02);
+constexpr Usage kKeyboard = usage(0x01, 0x06);
 constexpr Usage kMultiAxisController = usage(0x01, 0x08);
 constexpr std::uint16_t kForcePage = 0x0f;
 
@@ -94,9 +95,9 @@ bool is_other_interface(const HidDeviceInfo& device, const Result<ReportDescript
             return !has_collection(*descriptor, kMultiAxisController) &&
                    !(has_input(kUsageX) && has_input(kUsageY) && has_input(kUsageZ));
         case HidKind::kDualSense:
-            return !has_input(kUsageX);
         case HidKind::kForceJoystick:
-            return !takes_forces(*descriptor) && !has_collection(*descriptor, kJoystick);
+            return !takes_forces(*descriptor) &&
+                   (has_collection(*descriptor, kMouse) || has_collection(*descriptor, kKeyboard));
         case HidKind::kVecPedal:
         case HidKind::kUnknown:
             break;

@@ -120,7 +120,7 @@ void HidSession::exchange(std::int64_t now_ns) {
         hear_rivals(now_ns);
         if (!port_) return;
     }
-    const HandInput input = driver_->input(now_ns);
+    const DeviceInput input = driver_->input(now_ns);
     if (input.is_live != status_.is_heard || input.buttons != status_.buttons) {
         HidStatus status = status_;
         status.is_heard = input.is_live;
@@ -144,12 +144,12 @@ void HidSession::lose(std::int64_t now_ns) {
     port_.reset();
     rivals_.clear();
     next_search_ns_ = now_ns + kSearchIntervalNs;
-    publish(HandInput{});
+    publish(DeviceInput{});
     publish(HidStatus{});
 }
 
-void HidSession::publish(const HandInput& input) {
-    HandInput published = input;
+void HidSession::publish(const DeviceInput& input) {
+    DeviceInput published = input;
     published.heartbeat = ++heartbeat_;
     if (published.is_fresh) ++refreshed_;
     published.refreshed = refreshed_;

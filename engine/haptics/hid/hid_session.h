@@ -35,9 +35,9 @@ struct HidStatus {
 };
 
 struct HidLink {
-    jobs::Mailbox<HandInput> input;   // I/O thread to haptic thread
-    jobs::Mailbox<ForceOrder> force;  // haptic thread to I/O thread
-    jobs::Mailbox<HidStatus> status;  // I/O thread to main thread
+    jobs::Mailbox<DeviceInput> input;  // I/O thread to haptic thread
+    jobs::Mailbox<ForceOrder> force;   // haptic thread to I/O thread
+    jobs::Mailbox<HidStatus> status;   // I/O thread to main thread
     // Watchdog to I/O thread: how often it asked for zero force because the haptic thread hangs.
     std::atomic<std::uint32_t> silences{0};
 };
@@ -73,7 +73,7 @@ class HidSession final : public jobs::IoWork {
     // False: the device is gone.
     [[nodiscard]] bool hear(std::int64_t now_ns);
     void lose(std::int64_t now_ns);
-    void publish(const HandInput& input);
+    void publish(const DeviceInput& input);
     void publish(HidStatus status);
 
     HidLink& link_;

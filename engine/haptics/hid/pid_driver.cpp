@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/haptics/hid/hand_input.h"
+#include "engine/haptics/hid/device_input.h"
 
 namespace onggi::haptics::hid {
 namespace {
@@ -187,8 +187,8 @@ void PidDriver::take_report(std::span<const std::uint8_t> report, std::int64_t n
     habit_.take(report);
 }
 
-HandInput PidDriver::input(std::int64_t now_ns) const noexcept {
-    HandInput input{.motion = HandInput::Motion::kPlace};
+DeviceInput PidDriver::input(std::int64_t now_ns) const noexcept {
+    DeviceInput input{.motion = DeviceInput::Motion::kPlace};
     const bool must_report = habit_.reports_all_the_time();
     input.is_live = was_heard_ && now_ns - heard_ns_ <= (must_report ? kJoystickSilenceNs : kStillNs);
     input.is_fresh = input.is_live && (!must_report || heard_ns_ == now_ns);
@@ -197,7 +197,7 @@ HandInput PidDriver::input(std::int64_t now_ns) const noexcept {
     const double away = (1.0 - stick_.deflection.y) / 2.0;
     input.place_mm = {reach.least_radius_mm + right * (reach.most_radius_mm - reach.least_radius_mm),
                       reach.least_height_mm + away * (reach.most_height_mm - reach.least_height_mm)};
-    input.wheel_button = wheel_turns_;
+    input.button = wheel_turns_;
     input.buttons = stick_.buttons;
     input.shows_wall = shows_wall_;
     return input;

@@ -81,7 +81,7 @@ class PidDriver final : public HidDriver {
     // Resets the device, enables actuators, then creates, loads, sets and starts each effect with zero force.
     Result<void> start(const HidDeviceInfo& device, HidPort& port) override;
     void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept override;
-    [[nodiscard]] HandInput input(std::int64_t now_ns) const noexcept override;
+    [[nodiscard]] DeviceInput input(std::int64_t now_ns) const noexcept override;
     Result<void> send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) override;
     void stop(HidPort& port) noexcept override;
 

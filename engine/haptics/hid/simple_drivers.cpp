@@ -97,15 +97,14 @@ void SpaceMouseDriver::take_report(std::span<const std::uint8_t> report, std::in
     if ((state_.buttons & ~before & kFirstButton) != 0) wheel_turns_ = !wheel_turns_;
 }
 
-HandInput SpaceMouseDriver::input(std::int64_t now_ns) const noexcept {
-    HandInput input{.motion = HandInput::Motion::kRate};
+DeviceInput SpaceMouseDriver::input(std::int64_t now_ns) const noexcept {
+    DeviceInput input{.motion = DeviceInput::Motion::kRate};
     input.is_live = state_.at_rest() || now_ns - heard_ns_ <= kSpaceMouseSilenceNs;
     input.is_fresh = state_.at_rest() || heard_ns_ == now_ns;
     input.rate_mm_s = space_mouse_rate_mm_s(state_, mapping_);
-    input.wheel_button = wheel_turns_;
+    input.button = wheel_turns_;
     // Twisted to the right it turns faster; about the axis that points down, a positive turn.
-    input.wheel_change_rev_min_s =
-        mapping_.fastest_change_rev_min_s * shaped_axis(state_.rotation[2], mapping_);
+    input.change_rev_min_s = mapping_.fastest_change_rev_min_s * shaped_axis(state_.rotation[2], mapping_);
     input.buttons = state_.buttons;
     return input;
 }
@@ -127,14 +126,13 @@ void VecPedalDriver::take_report(std::span<const std::uint8_t> report, std::int6
     if (const auto state = vec_pedal_state(report)) state_ = *state;
 }
 
-HandInput VecPedalDriver::input(std::int64_t /*now_ns*/) const noexcept {
+DeviceInput VecPedalDriver::input(std::int64_t /*now_ns*/) const noexcept {
     // It reports changes only: silence means nothing, and a removal is told by the port.
-    HandInput input;
+    DeviceInput input;
     input.is_live = input.is_fresh = true;
-    input.wheel_button = state_.any();
+    input.button = state_.any();
     constexpr double kChangeRevMinS = 40.0;
-    input.wheel_change_rev_min_s =
-        (state_.right ? kChangeRevMinS : 0.0) - (state_.left ? kChangeRevMinS : 0.0);
+    input.change_rev_min_s = (state_.right ? kChangeRevMinS : 0.0) - (state_.left ? kChangeRevMinS : 0.0);
     input.buttons = (state_.left ? 1U : 0U) | (state_.middle ? 2U : 0U) | (state_.right ? 4U : 0U);
     return input;
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "engine/haptics/hid/hand_input.h"
+#include "engine/haptics/hid/device_input.h"
 #include "engine/haptics/hid/hid_driver.h"
 #include "engine/haptics/hid/hid_port.h"
 
@@ -81,7 +81,7 @@ class SpaceMouseDriver final : public HidDriver {
     [[nodiscard]] DeviceCapabilities capabilities() const override;
     Result<void> start(const HidDeviceInfo& device, HidPort& port) override;
     void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept override;
-    [[nodiscard]] HandInput input(std::int64_t now_ns) const noexcept override;
+    [[nodiscard]] DeviceInput input(std::int64_t now_ns) const noexcept override;
     Result<void> send(HidPort&, const ForceOrder&, std::int64_t) override { return {}; }
     void stop(HidPort& port) noexcept override;
 
@@ -98,7 +98,7 @@ class VecPedalDriver final : public HidDriver {
     [[nodiscard]] DeviceCapabilities capabilities() const override;
     Result<void> start(const HidDeviceInfo& device, HidPort& port) override;
     void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept override;
-    [[nodiscard]] HandInput input(std::int64_t now_ns) const noexcept override;
+    [[nodiscard]] DeviceInput input(std::int64_t now_ns) const noexcept override;
     Result<void> send(HidPort&, const ForceOrder&, std::int64_t) override { return {}; }
     void stop(HidPort&) noexcept override {}
 

@@ -4,7 +4,7 @@
 
 namespace onggi::haptics::hid {
 
-ToolState ToolTracker::moved(const HandInput& input, double dt_s) noexcept {
+HandSample ToolTracker::moved(const DeviceInput& input, double dt_s) noexcept {
     silence_s_ = input.heartbeat == last_heartbeat_ ? silence_s_ + dt_s : 0.0;
     last_heartbeat_ = input.heartbeat;
     was_refreshed_ = input.refreshed != last_refreshed_;
@@ -14,32 +14,28 @@ ToolState ToolTracker::moved(const HandInput& input, double dt_s) noexcept {
     if (is_live_) {
         const double most_mm = kFastestMmS * dt_s;
         place_mm_ += input.travelled_mm - travelled_mm_;
-        if (input.motion == HandInput::Motion::kRate) place_mm_ += input.rate_mm_s * dt_s;
-        if (input.motion == HandInput::Motion::kPlace) {
+        if (input.motion == DeviceInput::Motion::kRate) place_mm_ += input.rate_mm_s * dt_s;
+        if (input.motion == DeviceInput::Motion::kPlace) {
             const dvec2 way = input.place_mm - place_mm_;
             const double length = std::sqrt(way.x * way.x + way.y * way.y);
             place_mm_ = length <= most_mm ? input.place_mm : place_mm_ + way * (most_mm / length);
         }
         place_mm_ = reach_.within(place_mm_);
         press_mm_ += std::clamp(input.press_mm - press_mm_, -most_mm, most_mm);
-        wheel_rev_min_ =
-            std::clamp(input.wheel_rev_min > 0.0 ? input.wheel_rev_min
-                                                 : wheel_rev_min_ + input.wheel_change_rev_min_s * dt_s,
-                       kSlowestRevMin, kFastestRevMin);
+        rev_min_ = std::clamp(input.rev_min > 0.0 ? input.rev_min : rev_min_ + input.change_rev_min_s * dt_s,
+                              kSlowestRevMin, kFastestRevMin);
     }
     const bool has_travelled = input.travelled_mm != travelled_mm_;
     travelled_mm_ = input.travelled_mm;  // what came while it was not live is lost, and does not make a jump
     // What the hand says of itself, wherever the tool is: a stick's place, a trigger's press, a push.
-    const bool pushes = input.motion == HandInput::Motion::kRate && input.rate_mm_s != dvec2(0.0);
+    const bool pushes = input.motion == DeviceInput::Motion::kRate && input.rate_mm_s != dvec2(0.0);
     const bool has_moved = sense_.moved_to({input.place_mm.x, input.place_mm.y, input.press_mm});
     hand_moves_ = pushes || has_moved || has_travelled || input.buttons != last_buttons_;
     last_buttons_ = input.buttons;
 
     const dvec2 tool_mm = reach_.within({place_mm_.x - press_mm_, place_mm_.y});
-    return {.position_mm = {tool_mm.x, tool_mm.y, 0.0},
-            .radius_mm = reach_.tool_radius_mm,
-            .wheel_button = is_live_ && input.wheel_button,
-            .wheel_speed_rev_min = wheel_rev_min_};
+    return {
+        .position_mm = {tool_mm.x, tool_mm.y, 0.0}, .button = is_live_ && input.button, .rev_min = rev_min_};
 }
 
 }  // namespace onggi::haptics::hid

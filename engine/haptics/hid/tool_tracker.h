@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "engine/haptics/hand.h"
-#include "engine/haptics/hid/hand_input.h"
-#include "engine/haptics/tool_state.h"
+#include "engine/haptics/hand_sample.h"
+#include "engine/haptics/haptic_device.h"
+#include "engine/haptics/hid/device_input.h"
 
 namespace onggi::haptics::hid {
 
@@ -17,8 +17,8 @@ class ToolTracker {
           place_mm_(reach.within({reach.start_radius_mm, reach.start_height_mm})) {}
 
     // The tool after dt_s. While the input is not live - said so, or its heartbeat stands still - the tool
-    // stays where it is and the wheel's button is up.
-    [[nodiscard]] ToolState moved(const HandInput& input, double dt_s) noexcept;
+    // stays where it is and the button is up.
+    [[nodiscard]] HandSample moved(const DeviceInput& input, double dt_s) noexcept;
     [[nodiscard]] bool input_is_live() const noexcept { return is_live_; }
     // About the last moved(): the place was refreshed since the one before; a beating heart alone is the I/O
     // thread's, not the device's.
@@ -47,7 +47,7 @@ class ToolTracker {
     dvec2 place_mm_;  // radius, height, without the press
     double press_mm_ = 0.0;
     dvec2 travelled_mm_{0.0};  // of the input's sum, what is in place_mm_ already
-    double wheel_rev_min_ = kUsualRevMin;
+    double rev_min_ = kUsualRevMin;
     std::uint64_t last_heartbeat_ = 0;
     std::uint64_t last_refreshed_ = 0;
     bool was_refreshed_ = false;

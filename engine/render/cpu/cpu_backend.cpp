@@ -7,7 +7,7 @@
 
 #include "engine/render/frame/still_meshes.h"
 #include "engine/render/pixels/mix_pixels.h"
-#include "engine/render/pixels/prop_light.h"
+#include "engine/render/pixels/prop_pixels.h"
 #include "engine/render/shapes/detail_texture.h"
 #include "engine/render/shapes/moving_tiles.h"
 

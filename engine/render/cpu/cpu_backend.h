@@ -14,7 +14,6 @@
 #include "engine/render/cpu/host_frame.h"
 #include "engine/render/cpu/kept_view.h"
 #include "engine/render/frame/frame_context.h"
-#include "engine/render/frame/render_backend.h"
 #include "engine/render/pixels/edge_pixels.h"
 #include "engine/render/pixels/lathe_pixels.h"
 #include "engine/render/pixels/picture_shapes.h"

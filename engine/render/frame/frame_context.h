@@ -4,16 +4,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "engine/render/frame/pass.h"
+#include "engine/core/result.h"
 #include "engine/render/frame_stats.h"
+#include "engine/render/overlay.h"
 #include "engine/render/pass_clock.h"
 #include "engine/render/shapes/frame_build.h"
+#include "engine/render/shapes/tiles.h"
 #include "engine/vk/buffer.h"
 #include "engine/vk/frame_target.h"
 #include "engine/vk/image.h"
 #include "engine/vk/pipeline.h"
+#include "engine/vk/vulkan.h"
 
 namespace onggi::render {
 
@@ -90,6 +96,55 @@ struct FrameContext {
         vkCmdDraw(commands, 3, 1, 0, 0);
         count_draw(3);
     }
+};
+
+// Helpers for dynamic-rendering passes. Main thread.
+
+struct PassColour {
+    VkImageView view = VK_NULL_HANDLE;
+    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_DONT_CARE;  // if cleared: to 0
+    VkImageView resolve = VK_NULL_HANDLE;  // receives the average of the samples; the samples are discarded
+};
+
+struct PassDepth {
+    VkImageView view = VK_NULL_HANDLE;                      // null: no depth
+    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_CLEAR;  // if cleared: to 1
+    VkAttachmentStoreOp store = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+};
+
+// Begins rendering, with viewport and scissor over the whole extent. vkCmdEndRendering ends it.
+void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::span<const PassColour> colours,
+                const PassDepth& depth);
+inline void begin_pass(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<PassColour> colours,
+                       const PassDepth& depth) {
+    begin_pass(commands, extent, std::span(colours.begin(), colours.size()), depth);
+}
+
+// Copy regions for rectangles of a picture: the same rectangles in a buffer that holds the whole picture row
+// by row (width_px wide, four bytes per pixel) and in a colour image.
+void rows_in_buffer(std::span<const PixelRect> rects, std::uint32_t width_px,
+                    std::vector<VkBufferImageCopy>& regions);
+
+// The interface of both backends, see vulkan_backend.h and cpu_backend.h. Chosen once, when a renderer is
+// created. Main thread.
+
+class RenderBackend {
+  public:
+    RenderBackend() = default;
+    virtual ~RenderBackend() = default;
+    RenderBackend(const RenderBackend&) = delete;
+    RenderBackend& operator=(const RenderBackend&) = delete;
+
+    // Must be called first, once. Errors: the device's.
+    virtual Result<void> create() = 0;
+    // Creates whatever this target size and the scene's static contents need and do not have yet. The device
+    // is idle.
+    virtual Result<void> fit(const Scene& scene, VkExtent2D target) = 0;
+    // Builds the frame and records its commands. Call after fit() with the same scene and size. The device is
+    // idle. Returns false if the frame does not draw the scene, because a screen covers it or it rests.
+    virtual Result<bool> draw(const Scene& scene, const vk::TargetImage& target, const Overlay* overlay) = 0;
+
+    [[nodiscard]] virtual FrameContext& frame() = 0;
 };
 
 }  // namespace onggi::render

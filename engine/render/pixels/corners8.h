@@ -13,9 +13,6 @@
 #include "shaders/frame_data.h"
 #include "shaders/sky.h"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace onggi::render {
 
 // Returns the vertices that some triangles use, in ascending order.
@@ -114,5 +111,3 @@ struct Placed8 {
 }
 
 }  // namespace onggi::render
-
-#pragma GCC diagnostic pop

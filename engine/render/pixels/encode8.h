@@ -7,9 +7,6 @@
 #include "shaders/curve.h"
 #include "shaders/transfer.h"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace onggi::render {
 
 constexpr int kOpaque = -16777216;  // alpha of 255 in the highest byte
@@ -31,5 +28,3 @@ constexpr int kOpaque = -16777216;  // alpha of 255 in the highest byte
 }
 
 }  // namespace onggi::render
-
-#pragma GCC diagnostic pop

@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "engine/math/wide_vectors.h"
-#include "engine/render/pixels/mix_words.h"
 
 namespace onggi::render {
 namespace {

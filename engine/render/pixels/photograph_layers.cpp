@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/math/wide_vectors.h"
-#include "engine/render/pixels/mix_words.h"
+#include "engine/render/pixels/mix_pixels.h"
 #include "engine/render/pixels/picture_shapes.h"
 #include "shaders/background_edge.h"
 

@@ -1,11 +1,16 @@
-// Rasterises hands and tools for the CPU backend: lavapipe would pay for every 4 x 4 block that a triangle
-// touches, this code for little more than its pixels. Any thread; one user of a canvas at a time. Pixels, mm.
+// Hands and tools for the CPU backend: their vertices projected and lit (the vertex lighting of
+// shaders/prop.vert), and their triangles rasterised: lavapipe would pay for every 4 x 4 block that a
+// triangle touches, this code for little more than its pixels. Any thread; one user of a canvas at a time.
+// Pixels, mm.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
+#include "engine/render/byte_order.h"
 #include "engine/render/pixels/picture_shapes.h"
+#include "engine/render/shapes/lathe_mesh.h"
 #include "engine/render/shapes/tiles.h"
 
 namespace onggi::render {
@@ -22,5 +27,17 @@ void draw_triangles(std::span<const PropCorner> corners, std::span<const std::ui
 // Marks the tiles that the triangles may touch.
 void want_triangles(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
                     const TileGrid& grid, std::span<std::uint8_t> wanted);
+
+// Parameters of a frame. `samples`: the lathe's; its outside blocks the key light.
+struct PropView {
+    const shaders::FrameData& frame;
+    const LatheSamples& samples;
+    ByteOrder order = ByteOrder::kRedFirst;
+};
+
+// Appends one corner per vertex of a prop's mesh; only those that the triangles use are valid. Colours are
+// encoded as by encode(). The result is bit-identical with and without wide vectors.
+void light_corners(const PropMesh& mesh, std::span<const std::uint32_t> indices, const Prop& prop,
+                   const PropView& view, std::vector<PropCorner>& corners);
 
 }  // namespace onggi::render

@@ -9,9 +9,6 @@
 #include "engine/render/pixels/encode8.h"
 #include "shaders/load.h"
 
-// No vector leaves this file by value, see float8.h.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace onggi::render {
 namespace {
 

@@ -9,9 +9,6 @@
 #include "shaders/shadow.h"
 #include "shaders/surface.h"
 
-// No vector leaves this file by value, see float8.h.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace onggi::render {
 namespace {
 

@@ -8,13 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "engine/math/math.h"
 #include "engine/render/renderer_desc.h"
 #include "engine/render/scene.h"
 #include "engine/render/shapes/lathe_edges.h"
-#include "engine/render/shapes/lathe_profile.h"
-#include "engine/render/shapes/lathe_rows.h"
-#include "engine/render/shapes/lathe_vertices.h"
-#include "engine/render/shapes/shadow_region.h"
+#include "engine/render/shapes/lathe_mesh.h"
 #include "engine/render/shapes/tiles.h"
 #include "shaders/frame_data.h"
 
@@ -141,5 +139,28 @@ void build_frame(const Scene& scene, const StillBounds& still, const RendererDes
 // Gloss roughness of what covers the body: a thin film of water, which is smoother than the body, or a thick
 // glaze.
 [[nodiscard]] float film_roughness(const LatheMaterial& material);
+
+// The shadow mask's region of the world, and the pixels where moving things can be seen. Any thread; pure
+// functions. mm, pixels.
+
+// The mask covers a rectangle of y = 0. It begins behind the axis, as seen from the light, and extends along
+// the light to the end of the tallest caster's shadow.
+struct MaskPlacement {
+    vec4 u;  // dot(xyz, p) + w: mask coordinate of p projected along the light onto y = 0
+    vec4 v;
+    vec2 origin;  // xz of u = v = 0
+    vec2 axis_u;  // xz
+    vec2 axis_v;
+};
+[[nodiscard]] MaskPlacement place_mask(const ShadowRegion& region, const DirectionalLight& light);
+
+// The pixels in which the boxes can be seen, with a margin of one pixel.
+[[nodiscard]] PixelRect pixels_of(std::span<const Box> boxes, const Camera& camera, int width_px,
+                                  int height_px);
+
+// Bounding boxes of moving things: the lathe; a sphere; all spheres and props.
+[[nodiscard]] Box lathe_box(const Lathe& lathe);
+[[nodiscard]] Box sphere_box(const Sphere& sphere);
+[[nodiscard]] std::vector<Box> boxes_beside_lathe(const Scene& scene);
 
 }  // namespace onggi::render

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/render/shapes/frame_build.h"
 #include "engine/render/shapes/lathe_edges.h"
-#include "engine/render/shapes/shadow_region.h"
 #include "engine/render/shapes/tiles.h"
 
 namespace onggi::render {

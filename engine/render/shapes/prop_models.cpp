@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/render/shapes/lathe_edges.h"
-#include "engine/render/shapes/lathe_vertices.h"
+#include "engine/render/shapes/lathe_mesh.h"
 
 namespace onggi::render {
 namespace {

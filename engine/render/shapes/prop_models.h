@@ -13,7 +13,7 @@
 #include "engine/render/scene.h"
 #include "engine/render/shapes/frame_build.h"
 #include "engine/render/shapes/lathe_edges.h"
-#include "engine/render/shapes/lathe_profile.h"
+#include "engine/render/shapes/lathe_mesh.h"
 
 namespace onggi::render {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/render/frame/pass.h"
+#include "engine/render/frame/frame_context.h"
 #include "shaders/shaders.h"
 
 namespace onggi::render {

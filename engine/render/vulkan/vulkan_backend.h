@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/render/frame/render_backend.h"
+#include "engine/render/frame/frame_context.h"
 #include "engine/render/frame/still_meshes.h"
 #include "engine/render/vulkan/overlay_pass.h"
 #include "engine/render/vulkan/vulkan_frame.h"

@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "engine/files/asset_folder.h"
-#include "engine/haptics/simulated_device.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line/commands.h"
 #include "game/app/command_line/live_loop.h"
 #include "game/app/command_line/options.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/devices/haptic_guard.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/presentation/demonstrations.h"
@@ -31,8 +30,9 @@
 #include "game/app/system/start_log.h"
 #include "game/app/system/wall_clock.h"
 #include "game/haptic/job.h"
-#include "game/kiosk/spoken.h"
+#include "game/haptic/simulated_device.h"
 #include "game/screens/page/legibility.h"
+#include "game/visit/steps.h"
 #include "game/wheel/live_view.h"
 
 namespace onggi::app {
@@ -108,11 +108,11 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
             keeper.beat(visit.pulse());
         }
         service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
-        service.say(fmt::format("{}; {} pots kept since the start", kiosk::name_of(visit.state().screen),
+        service.say(fmt::format("{}; {} pots kept since the start", visit::step_of(visit.state().screen).name,
                                 visit.pots_kept()));
         const auto language = static_cast<std::size_t>(visit.state().comfort.language);
         voice.ask((*settings.languages)[language].code(),
-                  visit.is_closed() ? std::string_view() : kiosk::spoken_key(visit.state()));
+                  visit.is_closed() ? std::string_view() : visit::spoken_key(visit.state()));
         sound.say(voice.line());
         if (const std::string line = voice.news(); !line.empty()) warn("voice: " + line);
         if (const std::string line = sound.news(); !line.empty()) remark(line);
@@ -191,11 +191,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     const StartReport start_report = starts.begin_now(settings->remarks);
     PictureNote picture(state);
     auto view = open_view(options, *settings, core, start_report.is_safe_mode, picture.read());
-    if (!view) {
-        // No display, or no driver for it yet: that is the machine's, and no fall of the program's.
-        if (view.error().kind == ErrorKind::kSystemLacks) static_cast<void>(starts.end_now());
-        return view.error();
-    }
+    if (!view) return starts.end_without(view.error());
     leave_haptic_core_wholly(core);
     warn_of_lacks(*settings, **view);
 
@@ -205,15 +201,15 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     haptic::HapticParameters parameters;
     parameters.set_rate_hz(tick_rate_hz(settings->config.haptics.rate_hz, is_real_time));
     parameters.studio.forgiving = settings->config.visit.forgiving;
-    auto device = std::make_unique<haptics::SimulatedDevice>();
-    haptics::SimulatedDevice& hand = *device;
-    hand.set_target(resting_hand());
+    auto device = std::make_unique<haptic::SimulatedDevice>();
+    haptic::SimulatedDevice& pointer = *device;
+    pointer.set_target(resting_finger());
     parameters.safety = haptics::limits_for(device->capabilities());
     const bool has_devices = settings->config.haptics.devices && !start_report.is_safe_mode;
     const Show show = show_of({start, parameters.studio.forgiving});
-    auto first_hand =
-        std::make_unique<DemonstrationHand>(std::move(device), show.recordings, parameters.rate_hz());
-    auto devices = HandDevices::make(has_devices ? options.device : "mouse", std::move(first_hand), false);
+    auto first =
+        std::make_unique<DemonstrationDevice>(std::move(device), show.recordings, parameters.rate_hz());
+    auto devices = AttachedDevices::make(has_devices ? options.device : "mouse", std::move(first), false);
     if (!devices) return devices.error();
     haptic::HapticJob job(start, parameters, devices->take(),
                           kiosk_job_options(real_time, parameters.rate_hz()));
@@ -234,7 +230,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     {
         KioskVisit visit({.view = **view,
                           .job = job,
-                          .hand = hand,
+                          .pointer = pointer,
                           .devices = *devices,
                           .keeper = keeper,
                           .phone = kiosk::shares(settings->config) ? &phone : nullptr,

@@ -18,11 +18,10 @@
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/progress.h"
 #include "game/app/command_line/stats.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/devices/haptic_guard.h"
 #include "game/app/kiosk/presentation/force_view.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
-#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/app/system/end_signal.h"
 #include "game/app/system/haptic_core.h"
 #include "game/app/system/report.h"
@@ -46,34 +45,33 @@ class LiveForces {
 
     // Call it once a frame, shown or not, so that the plots have a history. Returns null when there is no
     // overlay. Valid until the next call.
-    [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
-                                              const wheel::LiveView& view, double now_s);
+    [[nodiscard]] const render::Overlay* look(const haptic::Snapshot& snapshot, const wheel::LiveView& view,
+                                              double now_s);
 
   private:
     bool shown_;
     ForceView forces_;
-    screens::Composer composer_;
+    screens::Composer composer_{screens::compose_forces};
     screens::Stage stage_;
     std::shared_ptr<const screens::View> asked_;
     render::Overlay overlay_;
 };
 
-const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
-                                        const wheel::LiveView& view, double now_s) {
+const render::Overlay* LiveForces::look(const haptic::Snapshot& snapshot, const wheel::LiveView& view,
+                                        double now_s) {
     forces_.look(snapshot, now_s);
     if (!shown_ || view.width() <= 0 || view.height() <= 0) return nullptr;
     if (!asked_ || asked_->width_px != view.width() || asked_->height_px != view.height()) {
         screens::View request;
         request.width_px = view.width();
         request.height_px = view.height();
-        request.only_forces = true;
         request.state.comfort.forces = true;
         request.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
         asked_ = std::make_shared<const screens::View>(std::move(request));
         composer_.ask(asked_);
     }
     stage_.take(composer_.latest(), now_s);
-    const screens::ForceFrame frame = forces_.frame(snapshot, shown, sight_of(view), true);
+    const screens::ForceFrame frame = forces_.frame(snapshot, sight_of(view), true);
     overlay_.list = &stage_.draw({.now_s = now_s, .forces = &frame});
     overlay_.uploads = stage_.uploads();
     overlay_.atlas_side_px = stage_.atlas_side_px();
@@ -107,9 +105,8 @@ Result<FrameOutcome> show(wheel::LiveView& view, LiveForces& forces, const hapti
         stops = stops || key->key == window::Key::kPause;
     }
     if (view.close_requested() || end_was_asked()) return FrameOutcome::kClosed;
-    const wheel::WheelView shown = wheel_view(snapshot);
     const double now_s = jobs::MonotonicClock::now_s();
-    const auto drawn = view.draw(shown, 1.0 / kFrameRateHz, forces.look(snapshot, shown, view, now_s));
+    const auto drawn = view.draw(snapshot, 1.0 / kFrameRateHz, forces.look(snapshot, view, now_s));
     if (!drawn) return drawn.error();
     if (auto done = view.wait(); !done) return done.error();
     for (const std::string& line : view.take_remarks())
@@ -144,8 +141,7 @@ Result<void> play(const LiveOptions& options) {
     if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
     leave_haptic_core_wholly(core);
 
-    auto devices =
-        HandDevices::make(options.device, std::make_unique<RecordedHand>(std::move(performance->hand)), true);
+    auto devices = AttachedDevices::make(options.device, std::move(performance->player), true);
     if (!devices) return devices.error();
     const double rate_hz = performance->start.parameters.rate_hz();
     const double seconds = options.seconds.value_or(static_cast<double>(performance->tick_count) / rate_hz);
@@ -157,7 +153,7 @@ Result<void> play(const LiveOptions& options) {
     if (auto started = forces.start(); !started) return started;
     const auto report =
         run_live({.start = std::move(performance->start),
-                  .hand = devices->take(),
+                  .devices = devices->take(),
                   .tick_count = performance->tick_count,
                   .seconds = options.seconds,
                   .wait = options.wait == "sleep" ? jobs::WaitMode::kSleep : jobs::WaitMode::kHybrid,

@@ -41,11 +41,11 @@ void pass_over_records(haptic::HapticJob& job) {
 Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {
     const haptic::HapticJobOptions options = job_options(run);
     const double rate_hz = run.start.parameters.rate_hz();
-    run.start.parameters.safety = haptics::limits_for(run.hand->capabilities());
+    run.start.parameters.safety = haptics::limits_for(run.devices.all().capabilities());
     LiveReport report;
-    for (const haptics::DeviceCapabilities& hand : run.hand->capabilities_of_hands())
-        report.most_force_n = std::max(report.most_force_n, haptics::limits_for(hand).peak_force_n);
-    haptic::HapticJob job(std::move(run.start.state), run.start.parameters, std::move(run.hand), options);
+    for (const haptics::DeviceCapabilities& device : run.devices.all().capabilities_of_devices())
+        report.most_force_n = std::max(report.most_force_n, haptics::limits_for(device).peak_force_n);
+    haptic::HapticJob job(std::move(run.start.state), run.start.parameters, std::move(run.devices), options);
     if (auto started = job.start(); !started) return started.error();
     const StopGuard stop_guard(job);
     for (const std::string& line : job.refusals())

@@ -20,8 +20,8 @@ constexpr double kFrameRateHz = 60.0;
 
 struct LiveRun {
     haptic::Start start;
-    std::unique_ptr<haptics::HapticDevice> hand;
-    std::uint64_t tick_count = 0;   // length of the hand's path, which then repeats on a fresh lump
+    haptic::ToolDevices devices;
+    std::uint64_t tick_count = 0;   // length of the recording, which then repeats on a fresh lump
     std::optional<double> seconds;  // duration; by default the path is played once
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
     jobs::RealTimeRequest real_time{};

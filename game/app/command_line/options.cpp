@@ -10,11 +10,11 @@
 
 #include "engine/core/number_in.h"
 #include "engine/core/quote.h"
-#include "engine/haptics/gesture.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/clay/paper_clay.h"
 #include "game/clay/studio/lump.h"
 #include "game/exporter/studio_export.h"
+#include "game/tool/gesture.h"
 
 namespace onggi::app {
 namespace {
@@ -102,7 +102,7 @@ void add_input_file(CLI::App& command, InputOptions& options) {
 }
 
 void add_rate_option(CLI::App& command, InputOptions& options) {
-    add_bounded(command, "--rate", options.rate_hz, haptics::kMinRateHz, haptics::kMaxRateHz, "HZ",
+    add_bounded(command, "--rate", options.rate_hz, tool::kMinRateHz, tool::kMaxRateHz, "HZ",
                 "ticks a second, 100 to 10000, for a gesture (1000)");
 }
 

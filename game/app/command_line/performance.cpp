@@ -7,15 +7,14 @@
 
 #include "engine/core/quote.h"
 #include "engine/files/read_file.h"
-#include "engine/haptics/gesture.h"
 #include "game/clay/studio/joining.h"
-#include "game/haptic/tools.h"
+#include "game/tool/gesture.h"
 
 namespace onggi::app {
 namespace {
 
 // Enough bytes to recognise a gesture or a session and to refuse anything else.
-constexpr std::size_t kStartBytes = haptics::kMaxGestureLineBytes + 2;
+constexpr std::size_t kStartBytes = tool::kMaxGestureLineBytes + 2;
 
 Result<void> check_brings_its_own(const InputOptions& options) {
     const auto refused = [&](std::string_view option) {
@@ -41,14 +40,14 @@ Result<Performance> performance_of_session(const InputOptions& options) {
     performance.start = std::move(loaded->start);
     performance.tick_count = loaded->session.tick_count();
     performance.remark = remark_on_cut(loaded->session, options.file);
-    performance.hand = std::make_unique<record::SessionPlayer>(std::move(loaded->session));
+    performance.player = std::make_unique<haptic::SessionPlayer>(std::move(loaded->session));
     return performance;
 }
 
 Result<Performance> performance_of_gesture(const InputOptions& options) {
-    auto text = files::read_file(options.file, haptics::kMaxGestureBytes);
+    auto text = files::read_file(options.file, tool::kMaxGestureBytes);
     if (!text) return text.error();
-    auto gesture = haptics::parse_gesture(*text, options.file, haptic::kGestureWords);
+    auto gesture = tool::parse_gesture(*text, options.file);
     if (!gesture) return gesture.error();
     auto start = fresh_start(options);
     if (!start) return start.error();
@@ -56,7 +55,7 @@ Result<Performance> performance_of_gesture(const InputOptions& options) {
     performance.start = std::move(start).value();
     const double rate_hz = performance.start.parameters.rate_hz();
     performance.tick_count = gesture->tick_count(rate_hz);
-    performance.hand = std::make_unique<haptics::GesturePlayer>(std::move(gesture).value(), rate_hz);
+    performance.player = std::make_unique<haptic::GesturePlayer>(std::move(gesture).value(), rate_hz);
     return performance;
 }
 
@@ -102,8 +101,7 @@ Result<Performance> load_performance(const InputOptions& options) {
     if (!start) return start.error();
     if (record::opens_a_session(*start)) return performance_of_session(options);
     // Refuses a large file of another kind by its first line, without reading the rest.
-    if (auto gesture = haptics::check_gesture_start(*start, options.file, haptic::kGestureWords); !gesture)
-        return gesture.error();
+    if (auto gesture = tool::check_gesture_start(*start, options.file); !gesture) return gesture.error();
     return performance_of_gesture(options);
 }
 
@@ -118,12 +116,9 @@ Result<clay::StudioClay> pot_left_by(const std::string& file) {
         return bad_input(fmt::format("{}: expected a session of the studio clay, found one of the paper's",
                                      shown_path(file)));
     }
-    const std::uint64_t ticks = loaded->session.tick_count();
-    record::SessionPlayer hand(std::move(loaded->session));
-    if (auto opened = hand.open(); !opened) return opened.error();
-    for (std::uint64_t tick = 0; tick < ticks; ++tick)
-        haptic::tick(state, hand.read(tick, loaded->start.parameters.dt_s()), loaded->start.parameters);
-    hand.close();
+    record::SessionCursor recorded(loaded->session);
+    for (std::uint64_t tick = 0; tick < loaded->session.tick_count(); ++tick)
+        haptic::tick(state, recorded.at(tick), loaded->start.parameters);
     clay::StudioClay pot = std::move(*state.studio());
     pot.put_back();
     return pot;

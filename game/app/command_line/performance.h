@@ -1,5 +1,5 @@
-// A performance: a start, a hand's path and its duration, from a gesture or a session. Shared by `throw`,
-// `live` and `replay`. Main thread.
+// A performance: a start, a player of the hand's path and its duration, from a gesture or a session. Shared
+// by `throw`, `live` and `replay`. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 #include <string>
 
 #include "engine/core/result.h"
-#include "engine/haptics/haptic_device.h"
 #include "game/app/command_line/options.h"
 #include "game/app/replay/stored_session.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/haptic/start_state.h"
+#include "game/haptic/tool_device.h"
 
 namespace onggi::app {
 
 struct Performance {
     haptic::Start start;
     std::uint64_t tick_count = 0;
-    std::unique_ptr<haptics::HapticDevice> hand;
+    std::unique_ptr<haptic::ToolDevice> player;
     std::optional<std::string> remark;  // for the user, when a session was cut short
 };
 

@@ -1,14 +1,13 @@
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "engine/core/quote.h"
@@ -80,7 +79,7 @@ Result<void> wait_for_folder(const std::string& folder) {
     if (!std::filesystem::exists(folder, error))
         remark(fmt::format("sharing: {}: waiting for the folder of shared pots", shown_path(folder)));
     while (!std::filesystem::exists(folder, error) && !end_was_asked())
-        std::this_thread::sleep_for(std::chrono::milliseconds(kRoundMs));
+        ::poll(nullptr, 0, kRoundMs);  // a signal ends it sooner
     if (end_was_asked() || std::filesystem::is_directory(folder, error)) return {};
     return bad_input(
         fmt::format("{}: expected a folder of shared pots, found something else", shown_path(folder)));

@@ -37,24 +37,24 @@ Result<std::string> throw_pot(ThrowOptions options) {
 
     haptic::HapticState& state = performance->start.state;
     const haptic::HapticParameters& parameters = performance->start.parameters;
-    haptics::HapticDevice& hand = *performance->hand;
-    if (auto opened = hand.open(); !opened) return opened.error();
+    haptic::ToolDevice& player = *performance->player;
+    if (auto opened = player.open(); !opened) return opened.error();
     jobs::Histogram tick_ns;
     haptic::TickResult last;
     {
         Progress progress("throwing", performance->tick_count);
         for (std::uint64_t tick = 0; tick < performance->tick_count; ++tick) {
-            const haptics::ToolState tool = hand.read(tick, parameters.dt_s());
+            const tool::ToolState tool = player.read_tool(tick, parameters.dt_s());
             const auto before = std::chrono::steady_clock::now();
             last = haptic::tick(state, tool, parameters);
             const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - before;
             tick_ns.record(took.count());
-            hand.write(last.limited_force_n);
+            player.write(last.limited_force_n);
             if (auto added = writer->add_tick(state, last); !added) return added.error();
             progress.reached(tick);
         }
     }
-    hand.close();
+    player.close();
     return writer->finish(state, last, tick_ns);
 }
 

@@ -18,7 +18,6 @@
 #include "engine/files/asset_folder.h"
 #include "game/app/command_line/performance.h"
 #include "game/app/command_line/stats.h"
-#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/exporter/studio_export.h"
 #include "game/haptic/tick.h"
@@ -83,15 +82,15 @@ void append(std::string& table, double number) {
     fmt::format_to(std::back_inserter(table), ",{:.9g}", number + 0.0);
 }
 
-std::string_view name_of(clay::studio::Side side) {
+std::string_view name_of(tool::Side side) {
     switch (side) {
-        case clay::studio::Side::kFree:
+        case tool::Side::kFree:
             return "free";
-        case clay::studio::Side::kOut:
+        case tool::Side::kOut:
             return "outer";
-        case clay::studio::Side::kIn:
+        case tool::Side::kIn:
             return "inner";
-        case clay::studio::Side::kTop:
+        case tool::Side::kTop:
             return "rim";
     }
     return "free";
@@ -205,7 +204,7 @@ Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::Hapti
     haptic::fill_snapshot(snapshot, state, last, parameters);
     const pot::Pot fired = pot::fired(pot, outputs.stage);
     snapshot.pot = &fired;
-    return wheel::render_still(wheel_view(snapshot), outputs.size.width, outputs.size.height,
+    return wheel::render_still(snapshot, outputs.size.width, outputs.size.height,
                                {.view = outputs.view,
                                 .beauty = outputs.beauty,
                                 .quick = outputs.backend == render::BackendChoice::kCpu});

@@ -12,12 +12,12 @@
 #include "engine/core/result.h"
 #include "engine/files/atomic_file.h"
 #include "engine/jobs/histogram.h"
-#include "engine/record/session_writer.h"
 #include "game/app/command_line/options.h"
 #include "game/clay/studio/pot.h"
 #include "game/exporter/export.h"
 #include "game/haptic/start_state.h"
 #include "game/heritage/target.h"
+#include "game/record/session_writer.h"
 
 namespace onggi::app {
 

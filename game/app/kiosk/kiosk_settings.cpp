@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "engine/files/asset_folder.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
 #include "game/app/kiosk/presentation/exhibits.h"
+#include "game/heritage/jar.h"
 #include "game/screens/page/legibility.h"
 
 namespace onggi::app {
@@ -19,9 +21,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostTextBytes = std::size_t{1} << 20U;
 
-// The words of the museum's own table, or the built-in ones where it has none or a bad one.
-Result<kiosk::Language> language_of(const std::string& code, const fs::path& folder,
-                                    std::vector<std::string>& remarks) {
+// The words of the museum's own table, or the built-in ones where it has none or a bad one. Empty: a bad
+// table of a language that is not built in. Bad input: a language without any table.
+Result<std::optional<kiosk::Language>> language_of(const std::string& code, const fs::path& folder,
+                                                   std::vector<std::string>& remarks) {
     const auto& built_in = kiosk::built_in_languages();
     const auto found = std::find_if(built_in.begin(), built_in.end(),
                                     [&](const kiosk::Language& one) { return one.code() == code; });
@@ -36,10 +39,13 @@ Result<kiosk::Language> language_of(const std::string& code, const fs::path& fol
                 "{}: expected every text, found {} missing, the first {}; English stands in", file.string(),
                 language->missing_keys().size(), language->missing_keys().front()));
         }
-        if (language || found == built_in.end()) return language;
-        remarks.push_back(language.error().message + "; the built-in words stand in");
+        if (language) return std::optional(std::move(*language));
+        const bool is_built_in = found != built_in.end();
+        remarks.push_back(language.error().message +
+                          (is_built_in ? "; the built-in words stand in" : "; the kiosk goes on without it"));
+        if (!is_built_in) return std::optional<kiosk::Language>();
     }
-    if (found != built_in.end()) return *found;
+    if (found != built_in.end()) return std::optional(*found);
     return bad_input(fmt::format("languages: expected a table {} for '{}', found none",
                                  folder.empty() ? fs::path(code + ".tsv").string() : file.string(), code));
 }
@@ -125,11 +131,9 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     std::vector<kiosk::Language> languages;
     for (const std::string& code : config.languages.order) {
         auto language = language_of(code, config.languages.folder, settings.remarks);
-        if (!language) {
-            settings.remarks.push_back(language.error().message + "; the kiosk goes on without it");
-            continue;
-        }
-        languages.push_back(std::move(*language));
+        if (!language) return language.error();
+        if (!*language) continue;
+        languages.push_back(std::move(**language));
         if (code == config.languages.first)
             settings.rules.default_language = static_cast<int>(languages.size()) - 1;
     }
@@ -145,8 +149,13 @@ Result<KioskSettings> load_settings(const std::string& config_file) {
     } else {
         settings.remarks.push_back(targets.error().message);  // free throwing works without targets
     }
-    ExhibitWords words{.cards = {}, .languages = *settings.languages};
+    ExhibitWords words{.shelf = {}, .cards = {}, .languages = *settings.languages};
     if (targets) {
+        if (auto shelf = heritage::load_shelf(*folder, settings.targets)) {
+            words.shelf = std::move(*shelf);
+        } else {
+            settings.remarks.push_back(shelf.error().message);  // the table of targets has names, too
+        }
         if (auto cards = heritage::load_cards(*folder, settings.targets)) {
             words.cards = std::move(*cards);
         } else {

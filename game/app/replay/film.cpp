@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "engine/asset/webp_film.h"
-#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/app/replay/replay.h"
 #include "game/app/replay/session_marks.h"
 #include "game/look/lathe_marks.h"
 #include "game/wheel/clay_look.h"
-#include "game/wheel/still_camera.h"
+#include "game/wheel/still.h"
 
 namespace onggi::app {
 namespace {
@@ -102,15 +101,19 @@ struct FilmMaker::Parts {
             pot = pot::fired(pot, desc.finished);
         }
         snapshot.pot = &pot;
-        wheel::WheelView view = wheel_view(snapshot);
-        if (!shown.is_finished) return camera->take(view, wheel::StillView::kThrowing);
+        if (!shown.is_finished) return camera->take(snapshot, wheel::StillView::kThrowing);
         std::optional<render::LatheMaterial> worn;
         if (glaze != nullptr)
-            view.material = &worn.emplace(
-                look::glazed_lathe(wheel::clay_material(pot.body, clay::Firing::kGlaze), *glaze));
-        if (dressed) view.marks = &dressed->marks();
-        view.wheel_direction = turned(view.wheel_direction, shown.turned);
-        return camera->take(view, wheel::StillView::kPortrait);
+            worn = look::glazed_lathe(wheel::clay_material(pot.body, clay::Firing::kGlaze), *glaze);
+        ecs::Entity finished;
+        camera->scene().put_on_wheel(finished,
+                                     {.pot = &pot,
+                                      .material = worn ? &*worn : nullptr,
+                                      .marks = dressed ? &dressed->marks() : nullptr},
+                                     {.direction = turned(snapshot.wheel_direction, shown.turned)});
+        auto taken = camera->take(snapshot, wheel::StillView::kPortrait);
+        camera->scene().registry().destroy(finished);
+        return taken;
     }
 };
 

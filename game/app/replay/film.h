@@ -10,11 +10,11 @@
 
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
-#include "engine/record/session.h"
 #include "game/clay/studio/pot.h"
 #include "game/decoration/stroke.h"
 #include "game/finish/glaze.h"
 #include "game/haptic/start_state.h"
+#include "game/record/session.h"
 
 namespace onggi::app {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "engine/record/session.h"
 #include "game/decoration/stroke.h"
 #include "game/haptic/start_state.h"
+#include "game/record/session.h"
 
 namespace onggi::app {
 

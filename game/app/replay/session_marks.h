@@ -4,9 +4,9 @@
 #include <string>
 
 #include "engine/core/result.h"
-#include "engine/record/session.h"
 #include "game/decoration/canvas.h"
 #include "game/pot/pot.h"
+#include "game/record/session.h"
 
 namespace onggi::app {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "engine/core/result.h"
-#include "engine/record/session.h"
 #include "game/decoration/stroke.h"
 #include "game/haptic/start_state.h"
+#include "game/record/session.h"
 
 namespace onggi::app {
 

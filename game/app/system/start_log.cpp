@@ -126,6 +126,11 @@ Result<void> StartKeeper::end_now() {
     return write();
 }
 
+Error StartKeeper::end_without(Error error) {
+    if (error.kind == ErrorKind::kSystemLacks) static_cast<void>(end_now());
+    return error;
+}
+
 Result<void> GalleryLock::take(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);

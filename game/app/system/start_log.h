@@ -57,6 +57,9 @@ class StartKeeper {
     // first.
     StartReport begin_now(std::vector<std::string>& remarks);
     Result<void> end_now();
+    // The end of a start that could not begin. Where the system lacks something, such as a display or a
+    // driver that come later, it is no crash. Returns `error`.
+    Error end_without(Error error);
 
   private:
     Result<void> write();

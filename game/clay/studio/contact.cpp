@@ -88,7 +88,7 @@ void add_residuals(Contact& contact, const Rings& rings, const Hand& hand, doubl
 
 }  // namespace
 
-void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const HandState& state,
+void find_contact(Contact& contact, const Rings& rings, const Hand& hand,
                   const StudioParameters& parameters) noexcept {
     contact.range = {};
     contact.deepest_mm = contact.far_depth_mm = contact.rim_depth_mm = -1e9;
@@ -128,7 +128,7 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const 
     // Outside, the clay reaches out to ro + c.e + w and the hand in to r3 - rc; inside, both signs turn.
     const double sign = inside ? -1.0 : 1.0;
     const double reach = sign * hand.distance_mm;
-    const double steady = reach - sign * dot(state.wobble_mm, hand.in_clay);  // r3 - B.e, the mean hand
+    const double steady = reach - sign * dot(hand.wobble_mm, hand.in_clay);  // r3 - B.e, the mean hand
     const double ex = sign * hand.in_clay.x;
     const double ez = sign * hand.in_clay.y;
     const double dy = parameters.yield_depth_mm;

@@ -46,7 +46,7 @@ struct Contact {
 };
 
 // Fills the contact of one hand. Precondition: rings.count > 0.
-void find_contact(Contact& contact, const Rings& rings, const Hand& hand, const HandState& state,
+void find_contact(Contact& contact, const Rings& rings, const Hand& hand,
                   const StudioParameters& parameters) noexcept;
 
 // The residual w of a ring at the hand, interpolated between two sector middles.

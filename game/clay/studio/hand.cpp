@@ -64,20 +64,20 @@ Side next_side(Side side, const Rings& rings, double y, double distance, double 
 
 namespace {
 
-Side requested_side(WantedSide request, Side side, const Rings& rings, double y, double distance) {
+Side requested_side(Side request, Side side, const Rings& rings, double y, double distance) {
     const std::size_t at = Rings::at(rings.ring_at(y));
     const double outer = rings.outer_mm[at];
     const double inner = rings.inner_mm[at];
     switch (request) {
-        case WantedSide::kNone:
+        case Side::kFree:
             break;
-        case WantedSide::kOut:
+        case Side::kOut:
             if (distance > inner) return Side::kOut;
             break;
-        case WantedSide::kIn:
+        case Side::kIn:
             if (distance < (inner > 0.0 ? outer : 0.5 * outer)) return Side::kIn;
             break;
-        case WantedSide::kTop:
+        case Side::kTop:
             if (y > rings.top_mm() && distance < outer) return Side::kTop;
             break;
     }
@@ -96,61 +96,78 @@ double turn_of(const dvec2& in_clay) noexcept {
     return turn < 1.0 ? turn : 0.0;
 }
 
-Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& given, const Rotation& heading,
-                 double dt_s) noexcept {
-    Hand hand;
-    hand.position_mm = given.position_mm;
-    hand.radius_mm = std::clamp(given.radius_mm, 2.0, 40.0);
-    hand.shaft_mm = std::isfinite(given.shaft_mm) ? given.shaft_mm : 0.0;
-    hand.tool = given.tool;
-    const double x = given.position_mm.x;
-    const double z = given.position_mm.z;
+namespace {
+
+// Precondition: position, radius, shaft and tool are those of this tick.
+void settle_hand(Hand& hand, const Rings& rings, Side wanted, const Rotation& heading, double dt_s) {
+    hand.radius_mm = std::clamp(hand.radius_mm, tool::kMinToolRadiusMm, tool::kMaxToolRadiusMm);
+    hand.is_assist = hand.drinks = false;
+    const double x = hand.position_mm.x;
+    const double y = hand.position_mm.y;
+    const double z = hand.position_mm.z;
     const double distance = std::sqrt(x * x + z * z);
-    const bool was_outside = state.side == Side::kOut;
-    const bool was_free = state.side == Side::kFree;
-    state.side = next_side(state.side, rings, given.position_mm.y, distance, hand.radius_mm);
-    if (was_free && state.side != Side::kFree)
-        state.side = requested_side(given.side, state.side, rings, given.position_mm.y, distance);
-    hand.side = state.side;
+    const bool was_outside = hand.side == Side::kOut;
+    const bool was_free = hand.side == Side::kFree;
+    hand.side = next_side(hand.side, rings, y, distance, hand.radius_mm);
+    if (was_free && hand.side != Side::kFree)
+        hand.side = requested_side(wanted, hand.side, rings, y, distance);
     hand.distance_mm = distance;
-    if (was_outside && state.side == Side::kOut && x * state.direction.x + z * state.direction.y < 0.0) {
+    if (was_outside && hand.side == Side::kOut && x * hand.direction.x + z * hand.direction.y < 0.0) {
         // The hand was pushed across the axis from outside: it keeps its direction, and its distance turns
         // negative.
-        hand.distance_mm = x * state.direction.x + z * state.direction.y;
+        hand.distance_mm = x * hand.direction.x + z * hand.direction.y;
     } else if (distance > kOnAxisMm) {
-        state.direction = {x / distance, z / distance};
+        hand.direction = {x / distance, z / distance};
     }
-    hand.direction = state.direction;
-    hand.in_clay = into_clay(state.direction, heading);
-    if (!state.has_slow_height) state.slow_height_mm = given.position_mm.y;
-    state.has_slow_height = true;
-    state.slow_height_mm +=
-        relaxed_fraction(dt_s / kClimbTimeS) * (given.position_mm.y - state.slow_height_mm);
-    return hand;
+    hand.in_clay = into_clay(hand.direction, heading);
+    if (!hand.has_slow_height) hand.slow_height_mm = y;
+    hand.has_slow_height = true;
+    hand.slow_height_mm += relaxed_fraction(dt_s / kClimbTimeS) * (y - hand.slow_height_mm);
 }
 
-double climb_fraction(const HandState& state, double y) noexcept {
-    return std::clamp((y - state.slow_height_mm - kTremorMm) / (kClimbMm - kTremorMm), 0.0, 1.0);
+}  // namespace
+
+void follow_hand(Hand& hand, const Rings& rings, const tool::ToolState& tool, const Rotation& heading,
+                 double dt_s) noexcept {
+    hand.position_mm = tool.position_mm;
+    hand.radius_mm = tool.radius_mm;
+    hand.shaft_mm = std::isfinite(tool.shaft_mm) ? tool.shaft_mm : 0.0;
+    hand.tool = tool.tool;
+    settle_hand(hand, rings, tool.side, heading, dt_s);
 }
 
-void follow_wobble(HandState& state, const Hand& hand, double turned_rad) noexcept {
-    if (!state.has_mean) {
-        state.has_mean = true;
-        state.mean_distance_mm = hand.distance_mm;
-        state.wobble_mm = {0.0, 0.0};
+void follow_hand(Hand& hand, const Rings& rings, const tool::SecondHand& second, const Rotation& heading,
+                 double dt_s) noexcept {
+    hand.position_mm = second.position_mm;
+    hand.radius_mm = second.radius_mm;
+    hand.shaft_mm = 0.0;
+    hand.tool = second.tool;
+    settle_hand(hand, rings, Side::kFree, heading, dt_s);
+}
+
+double climb_fraction(const Hand& hand) noexcept {
+    return std::clamp((hand.position_mm.y - hand.slow_height_mm - kTremorMm) / (kClimbMm - kTremorMm), 0.0,
+                      1.0);
+}
+
+void follow_wobble(Hand& hand, double turned_rad) noexcept {
+    if (!hand.has_mean) {
+        hand.has_mean = true;
+        hand.mean_distance_mm = hand.distance_mm;
+        hand.wobble_mm = {0.0, 0.0};
         return;
     }
     const double fraction = relaxed_fraction(turned_rad / (kTurn * kRememberedTurns));
-    state.mean_distance_mm += fraction * (hand.distance_mm - state.mean_distance_mm);
-    const double off = 2.0 * (hand.distance_mm - state.mean_distance_mm);
-    state.wobble_mm += (hand.in_clay * off - state.wobble_mm) * fraction;
-    const double size2 = state.wobble_mm.x * state.wobble_mm.x + state.wobble_mm.y * state.wobble_mm.y;
-    if (size2 > kLargestWobbleMm * kLargestWobbleMm) state.wobble_mm *= kLargestWobbleMm / std::sqrt(size2);
+    hand.mean_distance_mm += fraction * (hand.distance_mm - hand.mean_distance_mm);
+    const double off = 2.0 * (hand.distance_mm - hand.mean_distance_mm);
+    hand.wobble_mm += (hand.in_clay * off - hand.wobble_mm) * fraction;
+    const double size2 = hand.wobble_mm.x * hand.wobble_mm.x + hand.wobble_mm.y * hand.wobble_mm.y;
+    if (size2 > kLargestWobbleMm * kLargestWobbleMm) hand.wobble_mm *= kLargestWobbleMm / std::sqrt(size2);
 }
 
-void forget_wobble(HandState& state) noexcept {
-    state.has_mean = false;
-    state.wobble_mm = {0.0, 0.0};
+void forget_wobble(Hand& hand) noexcept {
+    hand.has_mean = false;
+    hand.wobble_mm = {0.0, 0.0};
 }
 
 }  // namespace onggi::clay::studio

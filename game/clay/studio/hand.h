@@ -1,4 +1,4 @@
-// The clay's memory of a hand: the side of the wall it is on, from its history, and how steadily it is held.
+// A hand in the clay: the side of the wall it is on, from its history, and how steadily it is held.
 // Haptic thread; no allocation. Units: mm, s, rad. "World" is the frame that stands still (studio_clay.h);
 // the clay's frame turns with the wheel.
 #pragma once
@@ -6,18 +6,21 @@
 #include "engine/math/math.h"
 #include "game/clay/studio/rings.h"
 #include "game/clay/studio/studio_parameters.h"
+#include "game/tool/tool_state.h"
 
 namespace onggi::clay::studio {
 
-enum class Side { kFree, kOut, kIn, kTop };
+using tool::Side;
+using tool::Tool;
 
 // Bound of B: beyond it off-centre clay could not be told from an unsteady hand.
 constexpr double kLargestWobbleMm = 3.0;
 
-struct HandState {
+// What a hand remembers, and where it is in this tick.
+struct Hand {
+    // From tick to tick: hashed, saved, replayed.
     Side side = Side::kFree;
-    // Horizontal unit vector from the axis to the hand, world frame; the last valid one.
-    dvec2 direction{1.0, 0.0};
+    dvec2 direction{1.0, 0.0};  // unit, from the axis to the hand, world frame; the last valid one
     // The hand's mean distance from the axis, and its first harmonic over a turn as a vector B in the clay's
     // frame: a hand that follows the wheel once a revolution.
     bool has_mean = false;
@@ -28,18 +31,14 @@ struct HandState {
     // Low-pass filtered height; a hand that climbs is above it.
     bool has_slow_height = false;
     double slow_height_mm = 0.0;
-};
 
-// A hand in one tick.
-struct Hand {
+    // In this tick.
     dvec3 position_mm{0.0};
     double radius_mm = 10.0;  // r1
     double shaft_mm = 0.0;
-    double distance_mm = 0.0;   // r3; negative for a hand outside that crossed the axis
-    dvec2 direction{1.0, 0.0};  // from the axis, world frame
-    dvec2 in_clay{1.0, 0.0};    // the same direction in the clay's frame
-    StudioTool tool = StudioTool::kHand;
-    Side side = Side::kFree;
+    double distance_mm = 0.0;  // r3; negative for a hand outside that crossed the axis
+    dvec2 in_clay{1.0, 0.0};   // `direction` in the clay's frame
+    Tool tool = Tool::kHand;
     bool is_assist = false;
     bool drinks = false;  // a squeezed-out sponge that takes up water
 };
@@ -53,20 +52,22 @@ Side next_side(Side side, const Rings& rings, double y_mm, double distance_mm, d
 // quarters of the hand's. Never past the middle of the rim.
 double opening_radius_mm(const Rings& rings, double radius_mm) noexcept;
 
-// Updates the state with this tick's position, dt_s after the last, and returns the hand. heading is the
-// wheel's angle.
-// A hand that comes from kFree takes its wanted side if that side is open to it: outside beyond the inner
-// face, inside within the outer one, on top over the rim.
+// Takes the hand to its place in this tick, dt_s after the last: the first hand of the tool, or its second.
+// heading is the wheel's angle.
+// A hand that comes from kFree takes the side that the tool wants if that side is open to it: outside beyond
+// the inner face, inside within the outer one, on top over the rim. The second wants none.
 // Precondition: rings.count > 0; the position is finite.
-Hand follow_hand(HandState& state, const Rings& rings, const StudioHand& hand, const Rotation& heading,
+void follow_hand(Hand& hand, const Rings& rings, const tool::ToolState& tool, const Rotation& heading,
+                 double dt_s) noexcept;
+void follow_hand(Hand& hand, const Rings& rings, const tool::SecondHand& second, const Rotation& heading,
                  double dt_s) noexcept;
 
-// How fast a hand at that height climbs: 0 while it is still, trembles or sinks, 1 from 7 mm/s on.
-double climb_fraction(const HandState& state, double y_mm) noexcept;
+// How fast a hand climbs: 0 while it is still, trembles or sinks, 1 from 7 mm/s on.
+double climb_fraction(const Hand& hand) noexcept;
 
 // One step of the running mean and of B over the last one and a half turns.
-void follow_wobble(HandState& state, const Hand& hand, double turned_rad) noexcept;
-void forget_wobble(HandState& state) noexcept;
+void follow_wobble(Hand& hand, double turned_rad) noexcept;
+void forget_wobble(Hand& hand) noexcept;
 
 // into_clay: turns a world direction into the clay's frame. turn_of: its angle around the clay, 0 <= turn <
 // 1.

@@ -22,11 +22,11 @@ float* open_row(Rings& rings, int i) {
 
 }  // namespace
 
-void centre_rings(Rings& rings, const Contact& contact, const HandState& state, double fraction,
+void centre_rings(Rings& rings, const Contact& contact, const Hand& hand, double fraction,
                   double yield) noexcept {
     const auto keep = static_cast<float>(1.0 - fraction);
-    const auto bx = static_cast<float>(fraction * state.wobble_mm.x);
-    const auto bz = static_cast<float>(fraction * state.wobble_mm.y);
+    const auto bx = static_cast<float>(fraction * hand.wobble_mm.x);
+    const auto bz = static_cast<float>(fraction * hand.wobble_mm.y);
     float* const cx = rings.centre_x_mm.data() + contact.range.first;
     float* const cz = rings.centre_z_mm.data() + contact.range.first;
     for (int k = 0; k < contact.range.size(); ++k) {

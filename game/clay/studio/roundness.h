@@ -11,7 +11,7 @@ constexpr float kSmoothMm = 1e-3F;
 constexpr double kLargestResidualMm = 8.0;
 
 // Rings in contact follow the hand's first harmonic: c -= fraction (c - B). fraction is 1 - exp(-dt/tau_c).
-void centre_rings(Rings& rings, const Contact& contact, const HandState& state, double fraction,
+void centre_rings(Rings& rings, const Contact& contact, const Hand& hand, double fraction,
                   double yield_mm) noexcept;
 
 // A row is rounded once a millisecond, in which no wheel turns farther than a sector and a half. At a faster

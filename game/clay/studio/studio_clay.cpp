@@ -29,23 +29,24 @@ constexpr double kSqueezedFraction = 0.25;
 constexpr double kSqueezedMm = 3.0;
 
 // Whether the assist applies. Solid clay has no opposite face to hold.
-bool has_assist(const StudioInput& input, const Rings& rings, const Hand& hand) noexcept {
-    if (input.has_second || !(input.assist_gap_mm > 0.0) || rings.first_hollow >= rings.count) return false;
+bool has_assist(const tool::ToolState& tool, const Rings& rings, const Hand& hand) noexcept {
+    if (tool.second.present || !(tool.assist_gap_mm > 0.0) || rings.first_hollow >= rings.count) return false;
     return hand.side == Side::kIn || (hand.side == Side::kOut && hand.position_mm.y > rings.floor_mm());
 }
 
-// Places the assist across the wall from the first hand, given that hand's state and contact.
+// Places the assist across the wall from the first hand, given that hand's contact.
 //
 // The assist rests on the wall without pressing it, and moves with it: a wall held by both moves whole
 // (moves.h). It squeezes only while the first hand climbs, by a bounded fraction of the wall at a time, until
 // the hands' surfaces are least_gap_mm apart; thick walls take several pulls. It presses only while the first
 // hand touches, and less where the floor keeps it from being opposite. work: the assist's own contact, not
 // yet computed. Precondition: has_assist(); least_gap_mm > 0.
-Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact, Contact& work,
-               const Rings& rings, double least_gap_mm, const StudioParameters& parameters) noexcept {
+Hand assist_of(const Hand& hand, const Contact& contact, Contact& work, const Rings& rings,
+               double least_gap_mm, const StudioParameters& parameters) noexcept {
     Hand second = hand;
+    forget_wobble(second);  // the assist rests on the mean circle
     second.is_assist = true;
-    second.tool = StudioTool::kHand;
+    second.tool = Tool::kHand;
     const bool outside = hand.side == Side::kIn;  // the assist is outside
     const double r1 = hand.radius_mm;
     second.side = outside ? Side::kOut : Side::kIn;
@@ -58,12 +59,11 @@ Hand assist_of(const Hand& hand, const HandState& state, const Contact& contact,
     const double pressed = contact.deepest_mm >= yield ? 1.0 : std::max(contact.deepest_mm, 0.0) / yield;
     const double touch = pressed * std::max(1.0 - lifted / r1, 0.0);
     const double wall = rings.wall_mm(contact.nearest);
-    const double squeeze =
-        climb_fraction(state, hand.position_mm.y) * std::min(kSqueezedFraction * wall, kSqueezedMm);
+    const double squeeze = climb_fraction(hand) * std::min(kSqueezedFraction * wall, kSqueezedMm);
     const double apart = 2.0 * r1 + std::max(least_gap_mm, wall - squeeze);
     const double resting = resting_distance_mm(rings, second.side, second.position_mm.y, r1, work);
     const double steady =
-        hand.distance_mm - (state.wobble_mm.x * hand.in_clay.x + state.wobble_mm.y * hand.in_clay.y);
+        hand.distance_mm - (hand.wobble_mm.x * hand.in_clay.x + hand.wobble_mm.y * hand.in_clay.y);
     const double least = touch * yield;
     const double most = std::max(touch * squeeze, least);
     second.distance_mm = outside ? std::clamp(steady + apart, resting - most, resting - least)
@@ -116,9 +116,10 @@ using studio::Changed;
 using studio::Contact;
 using studio::Grip;
 using studio::Hand;
-using studio::HandState;
 using studio::Rings;
-using studio::Side;
+using tool::Side;
+using tool::Tool;
+using tool::Wire;
 
 // The cursor that splits and joins: time of a round, and largest number of changes a second.
 constexpr double kTendS = 0.020;
@@ -127,7 +128,8 @@ constexpr double kChangesPerS = 2000.0;
 // A hand farther from the clay than this has let go.
 constexpr double kLetGoMm = 3.0;
 
-bool is_finite(const StudioHand& hand) {
+template <typename Hand>
+bool is_finite(const Hand& hand) {
     return std::isfinite(hand.position_mm.x) && std::isfinite(hand.position_mm.y) &&
            std::isfinite(hand.position_mm.z) && std::isfinite(hand.radius_mm);
 }
@@ -276,13 +278,13 @@ std::span<const float> StudioClay::residuals_mm(int ring) const {
     return {rings_.row_of(ring), static_cast<std::size_t>(rings_.sectors)};
 }
 
-void StudioClay::use_wire(const StudioInput& input) {
-    const bool wanted = input.wire != Wire::kNone && std::isfinite(input.wire_height_mm);
+void StudioClay::use_wire(const tool::ToolState& tool) {
+    const bool wanted = tool.wire != Wire::kNone && std::isfinite(tool.wire_height_mm);
     if (wanted && !carried_.wire_was_used && !carried_.cut_off && rings_.count > 0) {
-        if (input.wire == Wire::kCutRim) {
-            studio::cut_above(rings_, ledger_, input.wire_height_mm);
+        if (tool.wire == Wire::kCutRim) {
+            studio::cut_above(rings_, ledger_, tool.wire_height_mm);
         } else {
-            studio::cut_below(rings_, ledger_, input.wire_height_mm);
+            studio::cut_below(rings_, ledger_, tool.wire_height_mm);
             carried_.cut_off = true;
         }
         studio::restart(sweep_, rings_);
@@ -292,7 +294,7 @@ void StudioClay::use_wire(const StudioInput& input) {
 }
 
 // Applies one hand to the clay. Its contact is known; the caller updates the places.
-Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, const Hand* other, double water,
+Changed StudioClay::act(Contact& contact, const Hand& hand, const Hand* other, double water,
                         const StudioParameters& parameters) {
     const double dt = parameters.dt_s();
     const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
@@ -306,7 +308,7 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
 
     Changed changed{};
     switch (hand.tool) {
-        case StudioTool::kHand:
+        case Tool::kHand:
             if (hand.side == Side::kTop) {
                 changed = studio::press_rim(rings_, contact, fraction, parameters);
             } else {
@@ -323,11 +325,11 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
                 changed = studio::together(changed, wall);
             }
             break;
-        case StudioTool::kRib:
+        case Tool::kRib:
             changed =
                 studio::smooth_face(rings_, contact, hand, fraction, parameters.rib_length_mm, scratch_);
             break;
-        case StudioTool::kSponge: {
+        case Tool::kSponge: {
             changed =
                 studio::smooth_face(rings_, contact, hand, fraction, parameters.sponge_length_mm, scratch_);
             if (!(contact.deepest_mm > 0.0)) break;
@@ -349,16 +351,17 @@ Changed StudioClay::act(HandState& state, Contact& contact, const Hand& hand, co
             }
             break;
         }
-        case StudioTool::kTrimmer:
+        case Tool::kTrimmer:
             changed = studio::cut_face(rings_, contact, hand, contact.push_mm,
                                        studio::relaxed_fraction(dt / parameters.trim_time_s),
                                        ledger_.trimmings_mm3);
             break;
+        case Tool::kWire:
+            break;
     }
     // The assist follows the first hand: it does not centre the clay a second time.
     if (!hand.is_assist)
-        studio::centre_rings(rings_, contact, state,
-                             studio::relaxed_fraction(dt / parameters.centring_time_s),
+        studio::centre_rings(rings_, contact, hand, studio::relaxed_fraction(dt / parameters.centring_time_s),
                              parameters.yield_depth_mm);
     studio::round_sectors(rings_, contact, hand, carried_.stripe, parameters);
     if (carried_.film > 0.0 && !hand.drinks)
@@ -407,14 +410,13 @@ double StudioClay::allowed_speed(double wanted, const StudioParameters& paramete
     return std::min(pedal, wheel_.speed_rad_s() * std::sqrt(studio::kForgivenLoad / index));
 }
 
-ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, const Hand& hand,
-                                    const Hand* other, const StudioParameters& parameters,
-                                    double& load_n_mm) {
-    const dvec3 velocity = state.has_previous && !hand.is_assist
-                               ? (hand.position_mm - state.previous_position_mm) * parameters.rate_hz
+ContactForces StudioClay::feel_hand(Hand& hand, const Contact& contact, const Hand* other,
+                                    const StudioParameters& parameters, double& load_n_mm) {
+    const dvec3 velocity = hand.has_previous && !hand.is_assist
+                               ? (hand.position_mm - hand.previous_position_mm) * parameters.rate_hz
                                : dvec3(0.0);
-    state.previous_position_mm = hand.position_mm;
-    state.has_previous = true;
+    hand.previous_position_mm = hand.position_mm;
+    hand.has_previous = true;
     const double supported =
         other == nullptr
             ? 0.0
@@ -431,56 +433,53 @@ ContactForces StudioClay::feel_hand(HandState& state, const Contact& contact, co
     return felt.forces;
 }
 
-StudioClay::Hands StudioClay::find_hands(const StudioInput& input, const StudioParameters& parameters,
+StudioClay::Hands StudioClay::find_hands(const tool::ToolState& tool, const StudioParameters& parameters,
                                          bool touch) {
-    Hands hands;
-    auto& [hand, present, opposite] = hands;
-    present = {touch, touch && input.has_second && is_finite(input.second)};
+    auto& [first, second] = hands_;
+    Hands hands{.present = {touch, touch && tool.second.present && is_finite(tool.second)}};
+    auto& present = hands.present;
     const double dt = parameters.dt_s();
-    for (std::size_t h = 0; h < 2; ++h) {
-        if (present[h]) {
-            hand[h] = studio::follow_hand(hands_[h], rings_, h == 0 ? input.hand : input.second,
-                                          wheel_.heading(), dt);
-        } else if (h == 0 || !studio::has_assist(input, rings_, hand[0])) {
-            hands_[h] = {};
-        }
+    if (present[0]) {
+        studio::follow_hand(first, rings_, tool, wheel_.heading(), dt);
+        studio::find_contact(contacts_[0], rings_, first, parameters);
+    } else {
+        first = {};
     }
-    if (present[0]) studio::find_contact(contacts_[0], rings_, hand[0], hands_[0], parameters);
-    if (present[0] && !present[1] && studio::has_assist(input, rings_, hand[0])) {
-        hand[1] = studio::assist_of(hand[0], hands_[0], contacts_[0], contacts_[1], rings_,
-                                    input.assist_gap_mm, parameters);
-        hands_[1] = hands_[0];
-        hands_[1].side = hand[1].side;
-        studio::forget_wobble(hands_[1]);  // the assist rests on the mean circle
+    if (present[1]) {
+        studio::follow_hand(second, rings_, tool.second, wheel_.heading(), dt);
+    } else if (studio::has_assist(tool, rings_, first)) {
+        second = studio::assist_of(first, contacts_[0], contacts_[1], rings_, tool.assist_gap_mm, parameters);
         present[1] = true;
+    } else {
+        second = {};
     }
-    if (present[1]) studio::find_contact(contacts_[1], rings_, hand[1], hands_[1], parameters);
-    opposite = present[0] && present[1] && are_opposite(hand[0].side, hand[1].side);
+    if (present[1]) studio::find_contact(contacts_[1], rings_, second, parameters);
+    hands.opposite = present[0] && present[1] && are_opposite(first.side, second.side);
     for (std::size_t h = 0; h < 2; ++h) {
         if (!present[h]) continue;
-        if (hand[h].side == Side::kFree || !(contacts_[h].deepest_mm > -kLetGoMm))
+        if (hands_[h].side == Side::kFree || !(contacts_[h].deepest_mm > -kLetGoMm))
             studio::forget_wobble(hands_[h]);
-        else if (!hand[h].is_assist)
-            studio::follow_wobble(hands_[h], hand[h], wheel_.speed_rad_s() * dt);
+        else if (!hands_[h].is_assist)
+            studio::follow_wobble(hands_[h], wheel_.speed_rad_s() * dt);
     }
     return hands;
 }
 
 void StudioClay::work_hands(const Hands& hands, double water, const StudioParameters& parameters,
                             StudioForces& result) {
-    const auto& [hand, present, opposite] = hands;
-    const std::array<const Hand*, 2> other{opposite ? &hand[1] : nullptr, opposite ? &hand[0] : nullptr};
+    const auto& [present, opposite] = hands;
+    const std::array<const Hand*, 2> other{opposite ? &hands_[1] : nullptr, opposite ? &hands_[0] : nullptr};
     for (std::size_t h = 0; h < 2; ++h) {
         if (!present[h] || !contacts_[h].touches()) continue;
         ContactForces& forces = h == 0 ? result.hand : result.second;
-        forces = feel_hand(hands_[h], contacts_[h], hand[h], other[h], parameters, carried_.wheel_load_n_mm);
+        forces = feel_hand(hands_[h], contacts_[h], other[h], parameters, carried_.wheel_load_n_mm);
     }
     Changed changed{};
     walls_took_turn_ = false;
     for (std::size_t h = 0; h < 2; ++h) {
         // The mean circle flows even where an off-centre ring does not touch the hand now.
-        if (!present[h] || hand[h].side == Side::kFree) continue;
-        const Changed by_hand = act(hands_[h], contacts_[h], hand[h], other[h], water, parameters);
+        if (!present[h] || hands_[h].side == Side::kFree) continue;
+        const Changed by_hand = act(contacts_[h], hands_[h], other[h], water, parameters);
         ContactForces& forces = h == 0 ? result.hand : result.second;
         forces.first_touched = by_hand.first;
         forces.touched_count = by_hand.size();
@@ -489,34 +488,34 @@ void StudioClay::work_hands(const Hands& hands, double water, const StudioParame
     if (changed.size() > 0) rings_.place(changed.first, changed.end);
 }
 
-StudioForces StudioClay::tick(const StudioInput& input, const StudioParameters& parameters) noexcept {
+StudioForces StudioClay::tick(const tool::ToolState& tool, const StudioParameters& parameters) noexcept {
     StudioForces result;
     const double dt = parameters.dt_s();
-    wheel_.step(allowed_speed(input.wheel_speed_rad_s, parameters), carried_.wheel_load_n_mm, dt,
-                parameters.wheel);
+    const double pedal_rad_s = tool.wheel_button ? units::rad_s_from_rev_min(tool.wheel_speed_rev_min) : 0.0;
+    wheel_.step(allowed_speed(pedal_rad_s, parameters), carried_.wheel_load_n_mm, dt, parameters.wheel);
     carried_.wheel_load_n_mm = 0.0;
     carried_.load_height_mm = 0.0;
-    if (input.water > carried_.film) carried_.film = std::min(input.water, 1.0);
+    if (tool.water > carried_.film) carried_.film = std::min(tool.water, 1.0);
     carried_.film -= carried_.film * studio::relaxed_fraction(dt / parameters.film_time_s);
     carried_.stripe = (carried_.stripe + 1) & (studio::stripes_at(parameters.rate_hz) - 1);
     const std::uint64_t changes_before = carried_.splits + carried_.joins;
     const int rings_before = rings_.count;
-    use_wire(input);
+    use_wire(tool);
     if (rings_.count == 0 || carried_.cut_off) {
         result.rings_moved = rings_.count != rings_before;
         return result;
     }
 
-    const bool touches = input.pressing && is_finite(input.hand);
-    const bool guided = touches && input.guided;
+    const bool touches = tool.pressing && is_finite(tool);
+    const bool guided = touches && tool.guided;
     if (!guided) studio::let_go(grip_);
-    const Hands hands = find_hands(input, parameters, touches && !guided);
-    result.side = hands.hand[0].side;
-    result.second_side = hands.hand[1].side;
+    const Hands hands = find_hands(tool, parameters, touches && !guided);
+    result.side = hands_[0].side;
+    result.second_side = hands_[1].side;
     result.has_second = hands.present[1];
-    result.second_position_mm = hands.hand[1].position_mm;
-    work_hands(hands, input.water, parameters, result);
-    if (guided) guide(input, parameters, result);
+    result.second_position_mm = hands_[1].position_mm;
+    work_hands(hands, tool.water, parameters, result);
+    if (guided) guide(tool, parameters, result);
 
     result.wheel_load_n_mm = carried_.wheel_load_n_mm;
     const double cursor_dt = carried_.owes_cursors ? 2.0 * dt : dt;
@@ -570,13 +569,13 @@ studio::GripClimate StudioClay::climate(const StudioParameters& parameters) cons
 }
 
 // While the wheel turns, the hands of the grip work; while it stands, a finger leaves a dent.
-Changed StudioClay::guide(const StudioInput& input, const StudioParameters& parameters,
+Changed StudioClay::guide(const tool::ToolState& tool, const StudioParameters& parameters,
                           StudioForces& result) {
-    const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
+    const dvec2 finger(tool.position_mm.x, tool.position_mm.y);
     const double dt = parameters.dt_s();
     const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
-    if (turning && input.hand.tool != StudioTool::kHand) return guide_tool(input, parameters, result);
-    if (input.hand.tool == StudioTool::kTrimmer) return {};  // a trimmer leaves no dent
+    if (turning && tool.tool != Tool::kHand) return guide_tool(tool, parameters, result);
+    if (tool.tool == Tool::kTrimmer) return {};  // a trimmer leaves no dent
     Changed changed{};
     if (turning) {
         changed = studio::work_grip(grip_, rings_, grip_space_, finger, climate(parameters), dt);
@@ -601,7 +600,7 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     if (turning) {
         find_grip_contact(contact, rings_, hand.position_mm.y, grip_.press_mm);
     } else {
-        studio::find_contact(contact, rings_, hand, {}, parameters);
+        studio::find_contact(contact, rings_, hand, parameters);
     }
     if (!contact.touches() || contact.range.size() <= 0) return changed;
     if (turning) {
@@ -617,10 +616,10 @@ Changed StudioClay::guide(const StudioInput& input, const StudioParameters& para
     return changed;
 }
 
-bool StudioClay::lay_tool(const StudioInput& input, StudioForces& result, Hand& hand) {
+bool StudioClay::lay_tool(const tool::ToolState& tool, StudioForces& result, Hand& hand) {
     constexpr double kNearMm = 30.0;  // a finger farther out does not mean the tool
     studio::let_go(grip_);
-    const dvec2 finger(input.hand.position_mm.x, input.hand.position_mm.y);
+    const dvec2 finger(tool.position_mm.x, tool.position_mm.y);
     result.grip.hand_mm = result.grip.finger_mm = finger;
     const double top = rings_.top_mm();
     const double side = finger.x < 0.0 ? -1.0 : 1.0;
@@ -628,8 +627,8 @@ bool StudioClay::lay_tool(const StudioInput& input, StudioForces& result, Hand& 
     if (rings_.count < 3) return false;
     const double face = studio::outer_face_mm(rings_, y);
     if (std::fabs(finger.x) > face + kNearMm || finger.y > top + kNearMm) return false;
-    hand.tool = input.hand.tool;
-    hand.radius_mm = input.hand.radius_mm;
+    hand.tool = tool.tool;
+    hand.radius_mm = tool.radius_mm;
     hand.side = result.side = Side::kOut;
     hand.direction = {side, 0.0};
     hand.in_clay = studio::into_clay(hand.direction, wheel_.heading());
@@ -647,14 +646,14 @@ void StudioClay::find_tool_contact(Contact& contact, double y_mm, double depth_m
 }
 
 // A rib or a sponge lies along the outer face at the finger's height, with fingers behind the wall.
-Changed StudioClay::guide_tool(const StudioInput& input, const StudioParameters& parameters,
+Changed StudioClay::guide_tool(const tool::ToolState& tool, const StudioParameters& parameters,
                                StudioForces& result) {
     constexpr double kDepthMm = 0.8;  // chosen: the tool rests without pushing
     constexpr double kDry = 1e-6;
-    if (input.hand.tool == StudioTool::kTrimmer) return guide_trimmer(input, parameters, result);
+    if (tool.tool == Tool::kTrimmer) return guide_trimmer(tool, parameters, result);
     Hand hand;
-    if (!lay_tool(input, result, hand)) return {};
-    hand.drinks = hand.tool == StudioTool::kSponge && !(input.water > kDry);
+    if (!lay_tool(tool, result, hand)) return {};
+    hand.drinks = hand.tool == Tool::kSponge && !(tool.water > kDry);
     hand.distance_mm -= kDepthMm;
     hand.position_mm.x = hand.direction.x * hand.distance_mm;
     const double y = hand.position_mm.y;
@@ -662,7 +661,7 @@ Changed StudioClay::guide_tool(const StudioInput& input, const StudioParameters&
     find_tool_contact(contact, y, kDepthMm, hand.radius_mm);
     if (!contact.touches() || contact.range.size() <= 0) return {};
     feel_guided(contact, hand, studio::bearable_twist(rings_, y), parameters, result);
-    const Changed changed = act(hands_[0], contact, hand, nullptr, input.water, parameters);
+    const Changed changed = act(contact, hand, nullptr, tool.water, parameters);
     if (changed.size() > 0) rings_.place(changed.first, rings_.count);
     return changed;
 }
@@ -691,7 +690,7 @@ void StudioClay::feel_guided(const Contact& contact, const Hand& hand, double be
 
 // The guided trimmer's part of the tick: a loop on the outer face at the finger's height that shaves off the
 // clay beyond the finger. The pot is leather hard by then: the clay is cut and does not yield.
-studio::Changed StudioClay::guide_trimmer(const StudioInput& input, const StudioParameters& parameters,
+studio::Changed StudioClay::guide_trimmer(const tool::ToolState& tool, const StudioParameters& parameters,
                                           StudioForces& result) {
     constexpr double kDeepestMm = 2.0;  // depth of one shaving
     constexpr double kOfWheel = 0.2;    // fraction of the wheel's torque that a cut may load
@@ -701,10 +700,10 @@ studio::Changed StudioClay::guide_trimmer(const StudioInput& input, const Studio
         carried_.film = 0.0;
     }
     studio::Hand hand;
-    if (!lay_tool(input, result, hand)) return {};
+    if (!lay_tool(tool, result, hand)) return {};
     const double y = hand.position_mm.y;
     const double face = std::fabs(result.grip.hand_mm.x);
-    const double beyond = std::clamp(face - std::fabs(input.hand.position_mm.x), 0.0, kDeepestMm);
+    const double beyond = std::clamp(face - std::fabs(tool.position_mm.x), 0.0, kDeepestMm);
     studio::Contact& contact = contacts_[0];
     find_tool_contact(contact, y, beyond, hand.radius_mm);
     if (!contact.touches() || contact.range.size() <= 0) return {};

@@ -60,8 +60,8 @@ struct StudioForces {
     ContactForces hand;    // on the first hand; touched rings as in the paper's clay
     ContactForces second;  // on the second hand, or on the assist
     double wheel_load_n_mm = 0.0;
-    studio::Side side = studio::Side::kFree;
-    studio::Side second_side = studio::Side::kFree;
+    tool::Side side = tool::Side::kFree;
+    tool::Side second_side = tool::Side::kFree;
     bool rings_moved = false;  // rings were split, joined or removed: all indices changed
     bool has_second = false;   // a second hand or the assist was active, at this place:
     dvec3 second_position_mm{0.0};
@@ -155,8 +155,9 @@ class StudioClay {
     // call a clay takes only what its rings use.
     void take_memory() noexcept { rings_.residual_mm.take_memory(); }
 
-    // One step of 1/f. Precondition: check(parameters) holds.
-    StudioForces tick(const StudioInput& input, const StudioParameters& parameters) noexcept;
+    // One step of 1/f. A hand with a number that is not finite counts as absent. Precondition:
+    // check(parameters) holds.
+    StudioForces tick(const tool::ToolState& tool, const StudioParameters& parameters) noexcept;
 
     // Hash of everything a later tick depends on, for replay checks. No allocation.
     [[nodiscard]] std::uint64_t state_hash() const;
@@ -175,37 +176,37 @@ class StudioClay {
     template <typename Self, typename Visitor>
     static void visit_state(Self& self, Visitor& visitor);
 
-    // The hands of one tick that no grip guides; the second may be the assist.
+    // Which of the hands no grip guides in this tick; the second may be the assist.
     struct Hands {
-        std::array<studio::Hand, 2> hand{};
         std::array<bool, 2> present{};
         bool opposite = false;  // each bears against the other, across a wall
     };
 
-    void use_wire(const StudioInput& input);
-    // touch: of those that press, and are not guided. Leaves in contacts_ what each of them touches.
-    Hands find_hands(const StudioInput& input, const StudioParameters& parameters, bool touch);
+    void use_wire(const tool::ToolState& tool);
+    // touch: of those that press, and are not guided. Leaves them in hands_, and in contacts_ what each of
+    // them touches.
+    Hands find_hands(const tool::ToolState& tool, const StudioParameters& parameters, bool touch);
     // What the hands feel, then what they do to the clay.
     void work_hands(const Hands& hands, double water, const StudioParameters& parameters,
                     StudioForces& result);
-    studio::Changed act(studio::HandState& state, studio::Contact& contact, const studio::Hand& hand,
-                        const studio::Hand* other, double water, const StudioParameters& parameters);
+    studio::Changed act(studio::Contact& contact, const studio::Hand& hand, const studio::Hand* other,
+                        double water, const StudioParameters& parameters);
     [[nodiscard]] studio::GripClimate climate(const StudioParameters& parameters) const;
-    studio::Changed guide(const StudioInput& input, const StudioParameters& parameters, StudioForces& result);
-    studio::Changed guide_tool(const StudioInput& input, const StudioParameters& parameters,
+    studio::Changed guide(const tool::ToolState& tool, const StudioParameters& parameters,
+                          StudioForces& result);
+    studio::Changed guide_tool(const tool::ToolState& tool, const StudioParameters& parameters,
                                StudioForces& result);
-    studio::Changed guide_trimmer(const StudioInput& input, const StudioParameters& parameters,
+    studio::Changed guide_trimmer(const tool::ToolState& tool, const StudioParameters& parameters,
                                   StudioForces& result);
     // Lays a held tool on the outer face at the finger's height. Returns false if the finger is too far from
     // it.
-    bool lay_tool(const StudioInput& input, StudioForces& result, studio::Hand& hand);
+    bool lay_tool(const tool::ToolState& tool, StudioForces& result, studio::Hand& hand);
     void find_tool_contact(studio::Contact& contact, double y_mm, double depth_mm, double print_mm);
     void feel_guided(const studio::Contact& contact, const studio::Hand& hand, double bears_n_mm,
                      const StudioParameters& parameters, StudioForces& result);
     bool tend_rings(double dt_s);
     double allowed_speed(double wanted_rad_s, const StudioParameters& parameters) const;
-    ContactForces feel_hand(studio::HandState& state, const studio::Contact& contact,
-                            const studio::Hand& hand, const studio::Hand* other,
+    ContactForces feel_hand(studio::Hand& hand, const studio::Contact& contact, const studio::Hand* other,
                             const StudioParameters& parameters, double& load_n_mm);
     void tear();
     static std::string damage_of(const StudioClay& clay);
@@ -215,7 +216,7 @@ class StudioClay {
     studio::Ledger ledger_;
     studio::PoweredWheel wheel_;
     studio::LoadSweep sweep_;
-    std::array<studio::HandState, 2> hands_;
+    std::array<studio::Hand, 2> hands_;
     studio::GripState grip_;
     // The rest of the state that passes from tick to tick.
     struct Carried {

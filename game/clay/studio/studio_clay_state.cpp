@@ -231,7 +231,7 @@ std::string StudioClay::damage_of(const StudioClay& clay) {
         !is_between(sweep.above.volume_radius_mm4, 0.0, 1e15) || !is_between(sweep.peak_index, 0.0, 1e9) ||
         !is_between(sweep.growing_peak, 0.0, 1e9))
         return "load cursor: expected numbers within their bounds";
-    for (const studio::HandState& hand : clay.hands_) {
+    for (const studio::Hand& hand : clay.hands_) {
         const double length2 = hand.direction.x * hand.direction.x + hand.direction.y * hand.direction.y;
         const bool sound =
             is_between(static_cast<int>(hand.side), 0, static_cast<int>(studio::Side::kTop)) &&

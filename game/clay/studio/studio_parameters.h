@@ -1,4 +1,4 @@
-// Constants of the studio clay and the input of its tick. Plain values. Units: mm, N, s, rad, kPa, g, ml.
+// Constants of the studio clay. Plain values. Units: mm, N, s, rad, kPa, g, ml.
 #pragma once
 
 #include "engine/core/result.h"
@@ -66,47 +66,5 @@ struct StudioParameters {
 
 // Refuses parameters that the tick cannot use; the message names the parameter.
 Result<void> check(const StudioParameters& parameters);
-
-enum class StudioTool {
-    kHand,     // pushes: cone, collar, belly, open, widen, pinch, press the rim
-    kRib,      // smooths: the touched face follows its own average, no push
-    kSponge,   // the same over a shorter length; adds water, carries off slip
-    kTrimmer,  // cuts: the clay in reach goes to the trimmings
-};
-
-// The side that a hand means to reach the clay on, for a device that knows it; see hand.h.
-enum class WantedSide { kNone, kOut, kIn, kTop };
-
-struct StudioHand {
-    dvec3 position_mm{0.0, 1000.0, 0.0};  // centre of the sphere
-    double radius_mm = 10.0;              // 2 to 40; clamped
-    double shaft_mm = 0.0;                // hand inside: radius of the arm above the ball; 9 for widening
-    WantedSide side = WantedSide::kNone;
-    StudioTool tool = StudioTool::kHand;
-};
-
-enum class Wire {
-    kNone,
-    kCutRim,  // level, at wire_height_mm: the clay above goes to the trimmings
-    kCutOff,  // under the pot, at wire_height_mm: the clay below stays on the wheel; the pot is done
-};
-
-// Input of one tick. A hand with a number that is not finite counts as absent.
-struct StudioInput {
-    StudioHand hand;
-    StudioHand second;
-    bool has_second = false;
-    // The assist: a second hand held opposite the first across the wall. It rests there, and squeezes while
-    // the first hand climbs, until their surfaces are this far apart; see has_assist(). Used only without a
-    // real second hand; 0 switches it off.
-    double assist_gap_mm = 0.0;
-    double wheel_speed_rad_s = 0.0;  // the pedal
-    double water = 0.0;              // of hands or sponge, 0 dry to 1 dripping
-    Wire wire = Wire::kNone;
-    double wire_height_mm = 0.0;
-    // The first hand's position is a finger's, which skilled hands follow: see grip.h.
-    bool guided = false;
-    bool pressing = true;  // a hand that does not press is not in the clay
-};
 
 }  // namespace onggi::clay

@@ -10,7 +10,7 @@
 #include "engine/ui/colour.h"
 #include "engine/ui/geometry.h"
 #include "engine/ui/painting.h"
-#include "game/kiosk/step.h"
+#include "game/kiosk/screen.h"
 #include "game/screens/page/cue.h"
 #include "game/screens/pots/turning_pot.h"
 
@@ -76,7 +76,8 @@ struct Composition {
     ui::Rect bounds;  // 0, 0, width, height
     float px_per_u = 1.0F;
     float mm_per_u = 0.4151F;
-    bool covers = false;  // nothing of the scene is seen
+    bool covers = false;           // nothing of the scene is seen
+    bool plays_by_itself = false;  // for nobody in particular
     std::vector<Item> items;
     std::vector<Target> targets;
     std::vector<Writing> writings;

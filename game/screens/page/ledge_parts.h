@@ -56,10 +56,6 @@ struct LedgeChoice {
 void add_choice(Page& page, const ui::Rect& place, const LedgeChoice& choice, float name_height,
                 float spread);
 
-// What the hand holds, with a sign that there is more: opens the tray.
-void add_held_token(Page& page, const ui::Rect& place, float label_width);
-// The ledge turned over: what there is to hold, how large, and back.
-void add_tool_tray(Page& page);
 // What the step that is being done is called: below the steps and that wide, or from `beside` on to their
 // right.
 void add_step_caption(Page& page, const std::string& text, float wide, float beside);
@@ -69,17 +65,5 @@ void add_step_caption(Page& page, const std::string& text, float wide, float bes
 void add_hand_pad(Page& page);
 // A card as high as its words, or where that is too high, words as small as it takes; gives where it is.
 ui::Rect add_paper(Page& page, const ui::Rect& most, const std::vector<Words>& lines);
-// The five steps of a jar of two bowls side by side, that far apart; current: the one that is being done, -1:
-// all lie ahead.
-void add_jar_pictograms(Page& page, vec2 at, float pitch, int current);
-// The same in the place of the lesson's, and what the one being done is called.
-void add_jar_steps(Page& page);
-// The ledges while the first bowl is set aside, and while it stands on the second.
-void add_aside_ledge(Page& page);
-void add_join_ledge(Page& page);
-// What is told of the step, until the clay is touched.
-void add_jar_card(Page& page);
-// The ledge while the wire is held: where it is to cut, and the cut.
-void add_wire_ledge(Page& page);
 
 }  // namespace onggi::screens

@@ -108,6 +108,7 @@ class Page {
 
     // The rect, mirrored on a mirrored screen (ledge: also for the left hand).
     [[nodiscard]] ui::Rect mirrored(const ui::Rect& rect) const;
+    [[nodiscard]] float mirrored(float x) const { return right_to_left() ? width() - x : x; }
     [[nodiscard]] ui::Rect on_ledge(const ui::Rect& rect) const;
 
     void covers() { composition_.covers = true; }

@@ -95,7 +95,7 @@ struct FramePlot {
 
 // A tool on the bench, as large as what can be touched of it.
 struct BenchTool {
-    kiosk::Held held = kiosk::Held::kHand;
+    tool::Tool held = tool::Tool::kHand;
     vec2 centre_px{0.0F};
     vec2 size_px{0.0F};
 
@@ -146,7 +146,6 @@ struct View {
     std::string staff_pot;                  // that the staff is asked about
     std::string staff_notice;               // what came of a test
     FramePlot staff_plot;                   // empty: none on this page
-    bool only_forces = false;               // nothing but them, over a picture that plays by itself
     bool closed = false;                    // outside the opening hours: attract is dim
     std::shared_ptr<const PhoneWay> phone;  // once its files are all there; null: not yet, or not at all
 

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <utility>
 
-#include "engine/record/session_writer.h"
 #include "game/haptic/job.h"
 #include "game/haptic/start_state.h"
+#include "game/record/session_writer.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
@@ -100,7 +100,7 @@ TEST(Show, IsTheGestureWhereThereIsNoRecordingAndNothingWhereThereIsNeither) {
 
 // Played at ten times the recorded rate, a pressing finger is interpolated, but not between lifting and
 // landing.
-TEST(DemonstrationHand, IsWhereItLiftsAndWhereItLandsAndNotBetween) {
+TEST(DemonstrationDevice, IsWhereItLiftsAndWhereItLandsAndNotBetween) {
     const test::TemporaryFolder folder;
     haptic::Start start{lump(), {}};
     start.parameters.set_rate_hz(100.0);
@@ -120,8 +120,8 @@ TEST(DemonstrationHand, IsWhereItLiftsAndWhereItLandsAndNotBetween) {
     const Show show = load_show(folder.path(), kGesture, {lump()}, remarks);
     ASSERT_EQ(names_of(show), std::vector<std::string>{"taps"});
 
-    DemonstrationHand hand(std::make_unique<haptics::SimulatedDevice>(), show.recordings, 1000.0);
-    const auto at = [&](std::uint64_t tick) { return hand.read(kShownTicks + tick, 0.001); };
+    DemonstrationDevice hand(std::make_unique<haptic::SimulatedDevice>(), show.recordings, 1000.0);
+    const auto at = [&](std::uint64_t tick) { return hand.read_tool(kShownTicks + tick, 0.001); };
     EXPECT_NEAR(at(5).position_mm.x, 55.0, 1e-9);
     EXPECT_EQ(at(19).position_mm.x, 50.0);
     EXPECT_TRUE(at(19).pressing);
@@ -143,7 +143,7 @@ class Wheel : public testing::Test {
         for (Recording& recording : loaded.recordings)
             if (recording.name == name) show_.recordings.push_back(std::move(recording));
         ASSERT_EQ(show_.recordings.size(), 1U);
-        auto person = std::make_unique<haptics::SimulatedDevice>();
+        auto person = std::make_unique<haptic::SimulatedDevice>();
         person_ = person.get();
         person_->set_target({.position_mm = kAway});
         haptic::HapticParameters parameters;
@@ -151,7 +151,7 @@ class Wheel : public testing::Test {
         parameters.studio.forgiving = forgiving;
         work_ = std::make_unique<haptic::HapticWork>(
             lump(), parameters,
-            std::make_unique<DemonstrationHand>(std::move(person), show_.recordings, kRateHz),
+            std::make_unique<DemonstrationDevice>(std::move(person), show_.recordings, kRateHz),
             haptic::HapticJobOptions{});
     }
     void tick(std::uint64_t ticks) {
@@ -171,7 +171,7 @@ class Wheel : public testing::Test {
     static constexpr dvec3 kAway{250.0, 300.0, 0.0};
     std::vector<std::string> remarks_;
     Show show_;
-    haptics::SimulatedDevice* person_ = nullptr;
+    haptic::SimulatedDevice* person_ = nullptr;
     std::unique_ptr<haptic::HapticWork> work_;
     jobs::Period period_{.dt_s = 1.0 / kRateHz};
 };

@@ -7,7 +7,6 @@
 #include <memory>
 #include <utility>
 
-#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/haptic/job.h"
 #include "tests/support/scripted_device.h"
 #include "tests/unit/haptic/studio_hand.h"
@@ -58,7 +57,7 @@ TEST(Forces, AreNeverLongerThanAnArrowMayBe) {
     snapshot.result.second_forces.stiffness_n = {-90.0, 0.0, 0.0};
     for (int frame = 2; frame <= 60; ++frame) {
         view.look(snapshot, frame / 60.0);
-        const screens::ForceFrame shown = view.frame(snapshot, wheel_view(snapshot), from_the_front(), true);
+        const screens::ForceFrame shown = view.frame(snapshot, from_the_front(), true);
         for (const screens::ForceTouch& touch : shown.touches)
             for (const screens::ForceArrow& arrow : touch.arrows)
                 EXPECT_LE(glm::distance(arrow.from_px, arrow.to_px), ForceView::kFullArrowMm + 1e-3)
@@ -74,7 +73,7 @@ TEST(Forces, AreDrawnInTheirPlaces) {
         view.look(snapshot, frame / 60.0);
     // 0.37 N at most: the plot is 0.5 N high, and so is an arrow of 80 mm.
     EXPECT_NEAR(view.mm_per_n(), 160.0, 1e-6);
-    const screens::ForceFrame frame = view.frame(snapshot, wheel_view(snapshot), from_the_front(), true);
+    const screens::ForceFrame frame = view.frame(snapshot, from_the_front(), true);
     ASSERT_EQ(frame.touches.size(), 1U);
     const auto& arrows = frame.touches[0].arrows;
     const auto expect_arrow = [&](screens::Force force, vec2 to_px) {
@@ -104,7 +103,7 @@ TEST(Forces, AreNotShownWhereNothingIsTouchedNorLingerThere) {
     view.look(snapshot, 1.0);
     snapshot.result.forces = {};
     view.look(snapshot, 1.02);
-    const screens::ForceFrame frame = view.frame(snapshot, wheel_view(snapshot), from_the_front(), true);
+    const screens::ForceFrame frame = view.frame(snapshot, from_the_front(), true);
     EXPECT_TRUE(frame.touches.empty());
     EXPECT_EQ(frame.size_n[3], 0.0);
 }
@@ -112,9 +111,8 @@ TEST(Forces, AreNotShownWhereNothingIsTouchedNorLingerThere) {
 // The job's own snapshots, tick by tick: look(snapshot, touching) looks at each, and counts those of clay
 // that is touched.
 template <typename Look>
-void expect_of_snapshots(haptic::HapticState start, std::unique_ptr<haptics::HapticDevice> device, int ticks,
-                         Look&& look) {
-    haptic::HapticWork work(std::move(start), {}, std::move(device), {});
+void expect_of_snapshots(haptic::HapticState start, haptic::ToolDevices devices, int ticks, Look&& look) {
+    haptic::HapticWork work(std::move(start), {}, std::move(devices), {});
     jobs::Period period{.dt_s = 0.001};
     int touching = 0;
     for (int k = 0; k < ticks && !testing::Test::HasFatalFailure(); ++k) {
@@ -176,7 +174,7 @@ TEST(LitRings, AreAsManyLinesAsCanBeTold) {
     ForceView view;
     view.look(snapshot, 1.0);
     const auto lines_of = [&] {
-        const screens::ForceFrame frame = view.frame(snapshot, wheel_view(snapshot), from_the_front(), true);
+        const screens::ForceFrame frame = view.frame(snapshot, from_the_front(), true);
         return frame.touches.at(0).rings_px;
     };
     ASSERT_EQ(lines_of().size(), 3U) << "one for each ring in contact";

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/core/list_folder.h"
-#include "engine/record/session.h"
 #include "game/app/kiosk/gallery/interrupted_session.h"
 #include "game/app/kiosk/gallery/visit_journal.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
+#include "game/record/session.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
@@ -35,7 +35,7 @@ struct Visit {
         follow();
     }
     void tick(std::uint32_t flags) {
-        const haptics::ToolState tool = test::studio_hand(state.ticks, kRateHz);
+        const tool::ToolState tool = test::studio_hand(state.ticks, kRateHz);
         const haptic::TickResult result = haptic::tick(state, tool, parameters);
         history.add({.tick = static_cast<std::uint32_t>(state.ticks - 1),
                      .flags = flags,

@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include "engine/haptics/simulated_device.h"
 #include "game/app/command_line/performance.h"
 #include "game/haptic/job.h"
+#include "game/haptic/simulated_device.h"
 #include "tests/support/places.h"
 
 namespace onggi::app {
@@ -113,7 +113,7 @@ TEST_F(KioskClayTest, SeesARealBowlSpinApartWhileItStillStandsHigh) {
     bowl.ticks = 0;
     const double standing_mm = bowl.height_mm();
     haptic::HapticParameters parameters;
-    auto device = std::make_unique<haptics::SimulatedDevice>();
+    auto device = std::make_unique<haptic::SimulatedDevice>();
     device->set_target(
         {.position_mm = {250.0, 300.0, 0.0}, .wheel_button = true, .wheel_speed_rev_min = 180.0});
     haptic::HapticWork work(bowl, parameters, std::move(device), {});

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/haptics/hands.h"
-#include "engine/haptics/simulated_device.h"
+#include "engine/haptics/device_group.h"
 #include "game/haptic/job.h"
+#include "game/haptic/simulated_device.h"
 
 namespace onggi::app {
 namespace {
@@ -62,15 +62,15 @@ struct Stick {
     double felt_n = 0.0;
 };
 
-class StickHand final : public haptics::Hand {
+class StickDevice final : public haptics::HapticDevice {
   public:
-    explicit StickHand(Stick& stick) : stick_(stick) {}
+    explicit StickDevice(Stick& stick) : stick_(stick) {}
     Result<void> open() override { return {}; }
     void close() noexcept override {}
     [[nodiscard]] haptics::DeviceCapabilities capabilities() const override {
         return {.name = "stick", .force_axes = 3, .peak_force_n = 3.0, .continuous_force_n = 3.0};
     }
-    [[nodiscard]] haptics::ToolState read(std::uint64_t, double) noexcept override {
+    [[nodiscard]] haptics::HandSample read(std::uint64_t, double) noexcept override {
         return {.position_mm = stick_.position_mm};
     }
     void write(const dvec3& force_n) noexcept override {
@@ -78,7 +78,7 @@ class StickHand final : public haptics::Hand {
     }
     [[nodiscard]] bool is_here() const noexcept override { return stick_.is_here; }
     [[nodiscard]] bool is_moving() const noexcept override { return stick_.is_moving; }
-    void take_over(const haptics::ToolState&) noexcept override {}
+    void take_over(const dvec3&) noexcept override {}
 
   private:
     Stick& stick_;
@@ -91,17 +91,18 @@ constexpr double kInwardsMmS = 10.0;  // which keeps a tool about a mm deep in t
 class MouseAndStick {
   public:
     MouseAndStick() {
-        auto own_mouse = std::make_unique<haptics::SimulatedDevice>();
+        auto own_mouse = std::make_unique<haptic::SimulatedDevice>();
         mouse_ = own_mouse.get();
         hold_mouse(kAside);
-        std::vector<std::unique_ptr<haptics::Hand>> hands;
-        hands.push_back(std::move(own_mouse));
-        hands.push_back(std::make_unique<StickHand>(stick));
+        std::vector<std::unique_ptr<haptics::HapticDevice>> devices;
+        devices.push_back(std::move(own_mouse));
+        devices.push_back(std::make_unique<StickDevice>(stick));
         haptic::HapticParameters parameters;
         parameters.set_rate_hz(1000.0);
-        work_ = std::make_unique<haptic::HapticWork>(haptic::HapticState(), parameters,
-                                                     std::make_unique<haptics::Hands>(std::move(hands)),
-                                                     haptic::HapticJobOptions{});
+        work_ = std::make_unique<haptic::HapticWork>(
+            haptic::HapticState(), parameters,
+            haptic::ToolDevices(std::make_unique<haptics::DeviceGroup>(std::move(devices)), *mouse_),
+            haptic::HapticJobOptions{});
     }
 
     void hold_mouse(const dvec3& place_mm) {
@@ -162,7 +163,7 @@ class MouseAndStick {
         }
     }
 
-    haptics::SimulatedDevice* mouse_ = nullptr;
+    haptic::SimulatedDevice* mouse_ = nullptr;
     std::unique_ptr<haptic::HapticWork> work_;
     jobs::Period period_{.dt_s = 0.001};
     KioskFault fault_;

@@ -7,12 +7,12 @@
 #include <fstream>
 
 #include "engine/files/read_file.h"
-#include "engine/haptics/simulated_device.h"
-#include "engine/record/session.h"
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/haptic/simulated_device.h"
 #include "game/haptic/start_state.h"
+#include "game/record/session.h"
 #include "tests/support/comes_true.h"
 #include "tests/support/hostile_system.h"
 #include "tests/support/temporary_folder.h"
@@ -77,7 +77,7 @@ TEST_F(GalleryTest, DeletesOnePotWithAllItsFilesAndNoOther) {
 struct Cut {
     Cut() {
         for (std::uint32_t tick = 0; tick < 50; ++tick) {
-            const haptic::TickResult result = haptic::tick(state, resting_hand(), parameters);
+            const haptic::TickResult result = haptic::tick(state, resting_finger(), parameters);
             history.add({.tick = tick,
                          .flags = tick == 0 ? haptic::TickRecord::kFreshLump : 0U,
                          .tool = state.tool,
@@ -229,7 +229,7 @@ struct KeeperTest : testing::Test {
     const test::TemporaryFolder folder;
     haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
     haptic::HapticParameters parameters;
-    haptic::HapticJob job{start, parameters, std::make_unique<haptics::SimulatedDevice>(), {}};
+    haptic::HapticJob job{start, parameters, std::make_unique<haptic::SimulatedDevice>(), {}};
     KioskKeeper keeper{job, start, parameters, Gallery(config_of(folder.path())),
                        folder.path() / "statistics"};
 };

@@ -1,5 +1,5 @@
 // The marker that keys move along the clay, and the actions of keys there.
-#include "game/app/kiosk/hand/kiosk_marker.h"
+#include "game/app/kiosk/finger/kiosk_marker.h"
 #include "tests/support/millimetre_pot.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class KioskMarkerTest : public ::testing::Test {
     void go_up(const pot::Pot& shape) {
         for (int step = 0; step < 100 && marker_.place_mm(shape).value_or(dvec2(0.0)).y < shape.height_mm;
              ++step)
-            static_cast<void>(marker_.key(HandKey::kUp, shape, 1.0));
+            static_cast<void>(marker_.key(FingerKey::kUp, shape, 1.0));
     }
 
     const pot::Pot lump_ = cone(50, 62, 0.0, 50);
@@ -28,31 +28,31 @@ class KioskMarkerTest : public ::testing::Test {
 
 TEST_F(KioskMarkerTest, ComesLowDownOnTheVisitorsSide) {
     EXPECT_FALSE(marker_.place_mm(lump_));
-    static_cast<void>(marker_.key(HandKey::kLeft, lump_, -1.0));
+    static_cast<void>(marker_.key(FingerKey::kLeft, lump_, -1.0));
     EXPECT_EQ(*marker_.place_mm(lump_), dvec2(-62.0, 15.0));
     marker_.hide();
     EXPECT_FALSE(marker_.place_mm(lump_));
 }
 
 TEST_F(KioskMarkerTest, GoesFiveMillimetresAlongTheWall) {
-    static_cast<void>(marker_.key(HandKey::kLeft, bowl_, 1.0));
+    static_cast<void>(marker_.key(FingerKey::kLeft, bowl_, 1.0));
     const dvec2 before = *marker_.place_mm(bowl_);
-    EXPECT_FALSE(marker_.key(HandKey::kUp, bowl_, 1.0));
+    EXPECT_FALSE(marker_.key(FingerKey::kUp, bowl_, 1.0));
     const dvec2 after = *marker_.place_mm(bowl_);
     EXPECT_NEAR(glm::length(after - before), 5.0, 0.8);
     EXPECT_NEAR((after - before).x, 3.0, 0.8) << "along it, not straight up";
-    EXPECT_FALSE(marker_.key(HandKey::kDown, bowl_, 1.0));
+    EXPECT_FALSE(marker_.key(FingerKey::kDown, bowl_, 1.0));
     EXPECT_LT(glm::length(*marker_.place_mm(bowl_) - before), 1.0);
     for (int step = 0; step < 50; ++step)
-        static_cast<void>(marker_.key(HandKey::kDown, bowl_, 1.0));
+        static_cast<void>(marker_.key(FingerKey::kDown, bowl_, 1.0));
     EXPECT_GE(marker_.place_mm(bowl_)->y, 4.5) << "not into the wheel";
 }
 
 TEST_F(KioskMarkerTest, MovesTheWallToTheSideThatIsSeen) {
     for (const double side : {1.0, -1.0}) {
         marker_.hide();
-        const auto left = marker_.key(HandKey::kLeft, bowl_, side);
-        const auto right = marker_.key(HandKey::kRight, bowl_, side);
+        const auto left = marker_.key(FingerKey::kLeft, bowl_, side);
+        const auto right = marker_.key(FingerKey::kRight, bowl_, side);
         ASSERT_TRUE(left && right);
         EXPECT_LT(glm::length(left->points.front().place_mm - *marker_.place_mm(bowl_)), 5.0);
         EXPECT_EQ(left->points.front().place_mm.y, marker_.place_mm(bowl_)->y);
@@ -64,7 +64,7 @@ TEST_F(KioskMarkerTest, MovesTheWallToTheSideThatIsSeen) {
 
 TEST_F(KioskMarkerTest, PullsAtTheRimOfAnOpenedPot) {
     go_up(bowl_);
-    const auto path = marker_.key(HandKey::kUp, bowl_, 1.0);
+    const auto path = marker_.key(FingerKey::kUp, bowl_, 1.0);
     ASSERT_TRUE(path);
     EXPECT_LT(path->points.front().place_mm.y, 95.0) << "from the wall, not from the rim's edge";
     EXPECT_EQ(path->points.back().place_mm.y, 106.0);
@@ -72,24 +72,24 @@ TEST_F(KioskMarkerTest, PullsAtTheRimOfAnOpenedPot) {
 
 TEST_F(KioskMarkerTest, OpensSolidClayFromOverItsMiddle) {
     go_up(lump_);
-    EXPECT_FALSE(marker_.key(HandKey::kUp, lump_, 1.0));
+    EXPECT_FALSE(marker_.key(FingerKey::kUp, lump_, 1.0));
     EXPECT_EQ(*marker_.place_mm(lump_), dvec2(0.0, 50.0));
-    EXPECT_FALSE(marker_.key(HandKey::kUp, lump_, 1.0));
-    const auto down = marker_.key(HandKey::kDown, lump_, 1.0);
+    EXPECT_FALSE(marker_.key(FingerKey::kUp, lump_, 1.0));
+    const auto down = marker_.key(FingerKey::kDown, lump_, 1.0);
     ASSERT_TRUE(down);
     EXPECT_EQ(down->points.front().place_mm, dvec2(0.0, 50.0));
     EXPECT_LT(down->points.back().place_mm.y, 46.0);
     EXPECT_EQ(down->points.back().place_mm.x, 0.0);
     const pot::Pot opened = cone(55, 62, 0.0, 12);
-    const auto wider = marker_.key(HandKey::kDown, opened, 1.0);
+    const auto wider = marker_.key(FingerKey::kDown, opened, 1.0);
     ASSERT_TRUE(wider);
     EXPECT_EQ(wider->points.back().place_mm.x, 8.0) << "there is nothing deeper";
-    EXPECT_FALSE(marker_.key(HandKey::kLeft, opened, 1.0)) << "back to the wall, on that side";
+    EXPECT_FALSE(marker_.key(FingerKey::kLeft, opened, 1.0)) << "back to the wall, on that side";
     EXPECT_EQ(*marker_.place_mm(opened), dvec2(-62.0, 55.0));
 }
 
 TEST_F(KioskMarkerTest, GoesUpWithAPotThatGrows) {
-    static_cast<void>(marker_.key(HandKey::kLeft, bowl_, 1.0));
+    static_cast<void>(marker_.key(FingerKey::kLeft, bowl_, 1.0));
     const pot::Pot taller = cone(150, 40, 0.5, 12);
     EXPECT_NEAR(marker_.place_mm(taller)->y, 45.0, 1e-9);
     go_up(bowl_);
@@ -97,23 +97,23 @@ TEST_F(KioskMarkerTest, GoesUpWithAPotThatGrows) {
 }
 
 TEST_F(KioskMarkerTest, GivesOneSwitchHigherLowerWiderAndNarrower) {
-    const TouchPath higher = marker_.button(HandKey::kUp, bowl_, 1.0);
+    const TouchPath higher = marker_.button(FingerKey::kUp, bowl_, 1.0);
     EXPECT_EQ(higher.points.back().place_mm.y, 112.0) << "wherever the marker is";
-    const TouchPath lower = marker_.button(HandKey::kDown, bowl_, 1.0);
+    const TouchPath lower = marker_.button(FingerKey::kDown, bowl_, 1.0);
     EXPECT_EQ(lower.points.front().place_mm.y, 100.0);
     EXPECT_EQ(lower.points.back().place_mm.y, 94.0);
-    const TouchPath open = marker_.button(HandKey::kDown, lump_, 1.0);
+    const TouchPath open = marker_.button(FingerKey::kDown, lump_, 1.0);
     EXPECT_EQ(open.points.front().place_mm.x, 0.0);
     EXPECT_GT(open.points.back().place_mm.x, 20.0) << "the whole way with one press";
-    const TouchPath narrower = marker_.button(HandKey::kLeft, bowl_, 1.0);
+    const TouchPath narrower = marker_.button(FingerKey::kLeft, bowl_, 1.0);
     EXPECT_LT(narrower.points.back().place_mm.x, narrower.points.front().place_mm.x);
-    const TouchPath wider = marker_.button(HandKey::kRight, bowl_, 1.0);
+    const TouchPath wider = marker_.button(FingerKey::kRight, bowl_, 1.0);
     EXPECT_GT(wider.points.back().place_mm.x, wider.points.front().place_mm.x);
 }
 
 TEST_F(KioskMarkerTest, BearsClayThatIsNotThere) {
     const pot::Pot nothing;
-    for (const HandKey key : {HandKey::kUp, HandKey::kDown, HandKey::kLeft, HandKey::kRight})
+    for (const FingerKey key : {FingerKey::kUp, FingerKey::kDown, FingerKey::kLeft, FingerKey::kRight})
         static_cast<void>(marker_.key(key, nothing, 1.0));
     EXPECT_FALSE(marker_.place_mm(nothing));
 }

@@ -33,7 +33,7 @@ TEST_F(KioskPhoneTest, GivesACodeWhenEveryFileIsThere) {
     ASSERT_TRUE(answer);
     const auto* const shown = std::get_if<PhoneAnswer::OfPot>(&answer->what);
     ASSERT_NE(shown, nullptr) << answer->words;
-    ASSERT_EQ(shown->event, kiosk::Event::Kind::kShared) << answer->words;
+    ASSERT_EQ(shown->outcome, kiosk::ShareOutcome::kReady) << answer->words;
     EXPECT_EQ(shown->gallery_name, kName);
     const auto entries = shared();
     ASSERT_EQ(entries.size(), 1U);
@@ -70,7 +70,7 @@ TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {
     KioskPhone phone(settings_);
     const auto answer = answer_to_share(phone);
     ASSERT_TRUE(answer);
-    EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).event, kiosk::Event::Kind::kShareFailed);
+    EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).outcome, kiosk::ShareOutcome::kFailed);
     EXPECT_NE(answer->words.find("pot.stl"), std::string::npos) << answer->words;
     EXPECT_TRUE(shared().empty());
 }
@@ -82,7 +82,7 @@ TEST_F(KioskPhoneTest, SaysThatACodeIsOverWhenTheStaffDeletesThePot) {
     phone.withdraw(kName);
     const auto answer = answer_of(phone);
     ASSERT_TRUE(answer);
-    EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).event, kiosk::Event::Kind::kShareOver);
+    EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).outcome, kiosk::ShareOutcome::kOver);
     EXPECT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).gallery_name, kName);
     EXPECT_TRUE(shared().empty());
 }

@@ -1,5 +1,5 @@
 // Fingers, keys and a single switch on a screen of three targets.
-#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/finger/kiosk_pointer.h"
 
 #include <gtest/gtest.h>
 
@@ -139,9 +139,9 @@ TEST_F(KioskPointer, GivesTheSceneAHandWhereNoTargetIs) {
     finger.moves(640, 300);
     EXPECT_TRUE(finger.said(Kind::kHovered));
     finger.presses().moves(600, 300).lifts();
-    EXPECT_TRUE(finger.said(Kind::kHandDown));
-    EXPECT_TRUE(finger.said(Kind::kHandMoved));
-    EXPECT_TRUE(finger.said(Kind::kHandUp));
+    EXPECT_TRUE(finger.said(Kind::kFingerDown));
+    EXPECT_TRUE(finger.said(Kind::kFingerMoved));
+    EXPECT_TRUE(finger.said(Kind::kFingerUp));
     EXPECT_TRUE(finger.pressed().empty());
 }
 
@@ -151,18 +151,18 @@ class TouchThatGoesWrong : public ::testing::Test {
         finger_.moves(640, 300).presses().moves(600, 300);
         finger_.news.clear();
     }
-    [[nodiscard]] bool ended() const { return finger_.said(Kind::kHandUp); }
+    [[nodiscard]] bool ended() const { return finger_.said(Kind::kFingerUp); }
     // Checks that later events of this touch do nothing to the clay.
     void stays_ended() {
         EXPECT_FALSE(finger_.pointer.rests_on_scene());
         finger_.news.clear();
         finger_.moves(610, 300).lifts();
-        EXPECT_FALSE(finger_.said(Kind::kHandMoved));
-        EXPECT_FALSE(finger_.said(Kind::kHandUp)) << "it is told once";
+        EXPECT_FALSE(finger_.said(Kind::kFingerMoved));
+        EXPECT_FALSE(finger_.said(Kind::kFingerUp)) << "it is told once";
         finger_.news.clear();
         finger_.presses().moves(620, 300);
-        EXPECT_TRUE(finger_.said(Kind::kHandDown)) << "the next touch is as good as any";
-        EXPECT_TRUE(finger_.said(Kind::kHandMoved));
+        EXPECT_TRUE(finger_.said(Kind::kFingerDown)) << "the next touch is as good as any";
+        EXPECT_TRUE(finger_.said(Kind::kFingerMoved));
     }
 
     Finger finger_;
@@ -183,7 +183,7 @@ TEST_F(TouchThatGoesWrong, EndsWithASecondButton) {
     stays_ended();
     Finger other;
     other.moves(640, 300).does(window::ButtonEvent{window::MouseButton::kRight, true}).presses();
-    EXPECT_FALSE(other.said(Kind::kHandDown)) << "in whichever order";
+    EXPECT_FALSE(other.said(Kind::kFingerDown)) << "in whichever order";
 }
 
 TEST_F(TouchThatGoesWrong, EndsAfterAMinuteWithoutMotion) {
@@ -217,14 +217,14 @@ TEST_F(TouchThatGoesWrong, EndsWithAPlaceThatIsNoNumber) {
     constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
     finger_.moves(kNoNumber, 300);
     EXPECT_TRUE(ended());
-    EXPECT_FALSE(finger_.said(Kind::kHandMoved));
+    EXPECT_FALSE(finger_.said(Kind::kFingerMoved));
     stays_ended();
 }
 
 TEST_F(TouchThatGoesWrong, EndsWhereItsReleaseWasLost) {
     finger_.presses();
     EXPECT_TRUE(ended());
-    EXPECT_TRUE(finger_.said(Kind::kHandDown)) << "and another begins";
+    EXPECT_TRUE(finger_.said(Kind::kFingerDown)) << "and another begins";
     finger_.lifts();
     EXPECT_FALSE(finger_.pointer.rests_on_scene());
 }

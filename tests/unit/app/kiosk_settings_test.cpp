@@ -71,7 +71,8 @@ TEST_F(KioskSettingsTest, LoseABadTableOfWordsAndNothingElse) {
                   "ko.tsv:2: expected a key that the program knows, found 'other'; the built-in"),
               std::string::npos)
         << settings->remarks[1];
-    put(folder / "kiosk.toml", "[languages]\norder = [\"fr\"]\nfirst = \"fr\"\n");
+    put(folder / "kiosk.toml",
+        "[languages]\norder = [\"fr\"]\nfirst = \"fr\"\nfolder = \"" + (folder / "words").string() + "\"\n");
     EXPECT_EQ(load_settings((folder / "kiosk.toml").string())->languages->front().code(), "en");
 }
 

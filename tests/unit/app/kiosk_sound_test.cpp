@@ -6,8 +6,8 @@
 #include <atomic>
 #include <memory>
 
-#include "game/haptic/tools.h"
 #include "game/kiosk/strings.h"
+#include "game/tool/tool.h"
 #include "tests/support/comes_true.h"
 
 namespace onggi::app {
@@ -23,7 +23,7 @@ haptic::Snapshot touching() {
 
 TEST(KioskSound, HearsTheWheelTheHandAndWhereItIs) {
     const sound::SoundScene scene = scene_of(touching(), 0.7);
-    EXPECT_NEAR(scene.wheel_rev_min, 95.49, 0.01);
+    EXPECT_NEAR(scene.rev_min, 95.49, 0.01);
     EXPECT_NEAR(scene.contact_n, 2.0, 1e-12);
     EXPECT_NEAR(scene.slip_mm_s, 1000.0, 1e-9) << "10 rad/s at 100 mm";
     EXPECT_NEAR(scene.place, 0.4, 1e-12);
@@ -35,7 +35,7 @@ TEST(KioskSound, HearsBothHandsTheEdgeTheLoadAndTheWater) {
     haptic::Snapshot snapshot = touching();
     snapshot.result.second_forces.stiffness_n = {0.0, 0.0, -1.0};
     snapshot.result.wheel_load_n_mm = -150.0;
-    snapshot.tool.tool = haptic::kTrimmer;
+    snapshot.tool.tool = tool::Tool::kTrimmer;
     pot::Pot shape;
     shape.inner_mm = {50.0F};
     snapshot.pot = &shape;
@@ -49,9 +49,9 @@ TEST(KioskSound, HearsBothHandsTheEdgeTheLoadAndTheWater) {
 
 TEST(KioskSound, SaysInWordsWhatIsHeard) {
     EXPECT_EQ(caption_key({}), "") << "a wheel at rest";
-    EXPECT_EQ(caption_key({.wheel_rev_min = 110.0}), "cap.wheel");
-    EXPECT_EQ(caption_key({.wheel_rev_min = -110.0, .contact_n = 1.0, .wetness = 0.8}), "cap.water");
-    EXPECT_EQ(caption_key({.wheel_rev_min = 110.0, .contact_n = 1.0, .wetness = 0.1}), "cap.wheel");
+    EXPECT_EQ(caption_key({.rev_min = 110.0}), "cap.wheel");
+    EXPECT_EQ(caption_key({.rev_min = -110.0, .contact_n = 1.0, .wetness = 0.8}), "cap.water");
+    EXPECT_EQ(caption_key({.rev_min = 110.0, .contact_n = 1.0, .wetness = 0.1}), "cap.wheel");
     EXPECT_EQ(caption_key({.contact_n = 1.0, .wetness = 0.8}), "") << "nothing passes under the hand";
     for (const kiosk::Language& language : kiosk::built_in_languages())
         for (const char* key : {"cap.wheel", "cap.water", "cap.kiln"})

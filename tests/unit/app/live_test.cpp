@@ -13,14 +13,13 @@ namespace {
 
 // A run that requests nothing a test machine may refuse, and does not occupy a core.
 LiveRun modest_run(std::uint64_t tick_count, std::optional<double> seconds) {
-    LiveRun run;
-    run.hand = std::make_unique<test::ScriptedDevice>();
-    run.tick_count = tick_count;
-    run.seconds = seconds;
-    run.wait = jobs::WaitMode::kSleep;
-    // 0 is no priority, and refused: a test shares the machine with others.
-    run.real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false};
-    return run;
+    return {.start = {},
+            .devices = std::make_unique<test::ScriptedDevice>(),
+            .tick_count = tick_count,
+            .seconds = seconds,
+            .wait = jobs::WaitMode::kSleep,
+            // 0 is no priority, and refused: a test shares the machine with others.
+            .real_time = {.core = {}, .fifo_priority = 0, .lock_memory = false, .wakeful_cores = false}};
 }
 
 Result<FrameOutcome> draw_nothing(const haptic::Snapshot& /*snapshot*/) {

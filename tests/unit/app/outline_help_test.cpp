@@ -1,5 +1,5 @@
 // Help along a drawn outline: felt near it, never seen.
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 
 #include <gtest/gtest.h>
 

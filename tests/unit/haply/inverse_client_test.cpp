@@ -28,7 +28,7 @@ class InverseDeviceTest : public ::testing::Test {
         });
     }
 
-    ToolState tool_;
+    HandSample tool_;
     std::uint64_t tick_ = 0;
 };
 
@@ -137,7 +137,7 @@ TEST_F(InverseDeviceTest, IsSimplyAbsentWhereThereIsNoService) {
     const test::HeldPort port;
     InverseDevice device({.port = port.number()});
     ASSERT_TRUE(device.open());
-    EXPECT_FALSE(device.read(0, 0.001).wheel_button);
+    EXPECT_FALSE(device.read(0, 0.001).button);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     EXPECT_EQ(device.status().state, State::kAbsent);
     EXPECT_EQ(device.status().message, "");

@@ -20,7 +20,7 @@ double size_of(const dvec3& v) {
 }
 
 // A hand far from the clay, on a spring of 0.2 N/mm, that keeps the last force.
-class SpringHand final : public haptics::HapticDevice {
+class SpringHand final : public haptic::ToolDevice {
   public:
     explicit SpringHand(double peak_force_n) : peak_force_n_(peak_force_n) {}
 
@@ -33,12 +33,12 @@ class SpringHand final : public haptics::HapticDevice {
                 .continuous_force_n = peak_force_n_,
                 .max_stiffness_n_per_mm = 0.1};
     }
-    [[nodiscard]] haptics::ToolState read(std::uint64_t, double) noexcept override {
-        haptics::ToolState tool;
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t, double) noexcept override {
+        tool::ToolState tool;
         tool.position_mm = dvec3(170.0, 220.0, 120.0) + (told.empty() ? dvec3(0.0) : told.back() / 0.2);
         return tool;
     }
-    [[nodiscard]] haptics::HandSigns signs() const noexcept override { return {.hand_is_there = is_held}; }
+    [[nodiscard]] haptics::DeviceSigns signs() const noexcept override { return {.hand_is_there = is_held}; }
     void write(const dvec3& force_n) noexcept override { told.push_back(force_n); }
 
     bool is_held = true;

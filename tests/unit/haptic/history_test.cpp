@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "engine/files/read_file.h"
-#include "engine/record/session.h"
-#include "game/haptic/tools.h"
+#include "game/record/session.h"
+#include "game/tool/tool.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/haptic/studio_hand.h"
 
@@ -32,7 +32,7 @@ struct Wheel {
     void tick(std::uint64_t hand_tick, std::uint32_t flags = 0) {
         tick(test::studio_hand(hand_tick, kHistoryRateHz), flags);
     }
-    void tick(const haptics::ToolState& tool, std::uint32_t flags = 0) {
+    void tick(const tool::ToolState& tool, std::uint32_t flags = 0) {
         const TickResult result = haptic::tick(state, tool, parameters);
         history.add({.tick = static_cast<std::uint32_t>(state.ticks - 1),
                      .flags = flags,
@@ -74,10 +74,10 @@ TEST_F(HistoryTest, TellsTheMovesApart) {
     wheel.throw_until(kTicks);
     const auto moves = wheel.history.moves();
     ASSERT_EQ(moves.size(), 4U);
-    EXPECT_EQ(moves[0].side, clay::studio::Side::kIn) << "opened and widened";
-    EXPECT_EQ(moves[1].side, clay::studio::Side::kOut);
-    EXPECT_EQ(moves[1].tool, haptics::ToolKind::kHand);
-    EXPECT_EQ(moves[2].tool, haptic::kRib);
+    EXPECT_EQ(moves[0].side, tool::Side::kIn) << "opened and widened";
+    EXPECT_EQ(moves[1].side, tool::Side::kOut);
+    EXPECT_EQ(moves[1].tool, tool::Tool::kHand);
+    EXPECT_EQ(moves[2].tool, tool::Tool::kRib);
     EXPECT_TRUE(moves[3].is_cut);
     for (std::size_t i = 1; i < moves.size(); ++i)
         EXPECT_GE(moves[i].first_tick, moves[i - 1].end_tick);
@@ -200,8 +200,8 @@ TEST_F(HistoryTest, IsSavedAsASessionThatReplays) {
 }
 
 // A finger that lands and lifts, and a ball between two touches.
-haptics::ToolState landing_and_lifting(std::uint64_t tick) {
-    haptics::ToolState tool = test::studio_hand(tick, kHistoryRateHz);
+tool::ToolState landing_and_lifting(std::uint64_t tick) {
+    tool::ToolState tool = test::studio_hand(tick, kHistoryRateHz);
     tool.guided = tick % 900 < 700;
     tool.pressing = tick % 150 < 110;
     return tool;
@@ -284,7 +284,7 @@ class FiveMinutes : public testing::Test {
         HapticParameters parameters = parameters_at(kKioskRateHz);
         History history(HapticState(std::move(wall)), parameters,
                         {.most_bytes = HistoryOptions{}.most_bytes / 10});
-        haptics::ToolState tool;
+        tool::ToolState tool;
         tool.wheel_button = wheel_turns;
         for (std::uint64_t tick = 0; tick < kSession; ++tick) {
             // Up the wall in 8 s, a millimetre and a half deep, then away for one.

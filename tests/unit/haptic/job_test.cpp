@@ -168,8 +168,8 @@ TEST(HapticWork, PutsOnAFreshLumpWhenTold) {
 // A script with one invalid tick.
 class FaultyDevice final : public ScriptedDevice {
   public:
-    haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override {
-        haptics::ToolState tool = ScriptedDevice::read(tick, dt_s);
+    tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override {
+        tool::ToolState tool = ScriptedDevice::read_tool(tick, dt_s);
         if (tick == 4000) tool.position_mm.y = 1e9;
         return tool;
     }

@@ -13,7 +13,7 @@ namespace onggi::haptic {
 namespace {
 
 // One finger that opens a lump and draws the wall far out, the same at every rate.
-haptics::ToolState finger_at(double t_s) {
+tool::ToolState finger_at(double t_s) {
     struct Place {
         double t_s;
         dvec2 at_mm;
@@ -26,7 +26,7 @@ haptics::ToolState finger_at(double t_s) {
     while (i + 1 < kWay.size() && kWay[i].t_s <= t_s)
         ++i;
     const double fraction = std::clamp((t_s - kWay[i - 1].t_s) / (kWay[i].t_s - kWay[i - 1].t_s), 0.0, 1.0);
-    haptics::ToolState tool;
+    tool::ToolState tool;
     tool.guided = true;
     tool.pressing = kWay[i - 1].pressing;
     tool.position_mm = dvec3(glm::mix(kWay[i - 1].at_mm, kWay[i].at_mm, fraction), 0.0);
@@ -39,7 +39,7 @@ class PotCopies : public testing::TestWithParam<double> {
   protected:
     PotCopies() { parameters_.set_rate_hz(GetParam()); }
     // Whether a copy was finished in this tick.
-    bool copies_after(const haptics::ToolState& tool) {
+    bool copies_after(const tool::ToolState& tool) {
         tick(state_, tool, parameters_);
         return copier_.step(pot_, state_, parameters_.dt_s());
     }

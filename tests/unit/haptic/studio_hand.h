@@ -6,15 +6,15 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/haptics/haptic_device.h"
 #include "game/haptic/tick.h"
-#include "game/haptic/tools.h"
+#include "game/haptic/tool_device.h"
+#include "game/tool/tool.h"
 
 namespace onggi::test {
 
 constexpr double kStudioHandSeconds = 9.0;
 
-inline haptics::ToolState studio_hand(std::uint64_t tick, double rate_hz) {
+inline tool::ToolState studio_hand(std::uint64_t tick, double rate_hz) {
     struct Place {
         double t_s;
         double x_mm;
@@ -30,28 +30,28 @@ inline haptics::ToolState studio_hand(std::uint64_t tick, double rate_hz) {
     while (kWay[i + 1].t_s <= t_s)
         ++i;
     const double part = (t_s - kWay[i].t_s) / (kWay[i + 1].t_s - kWay[i].t_s);
-    haptics::ToolState tool;
+    tool::ToolState tool;
     tool.position_mm = {kWay[i].x_mm + part * (kWay[i + 1].x_mm - kWay[i].x_mm),
                         kWay[i].y_mm + part * (kWay[i + 1].y_mm - kWay[i].y_mm), 0.0};
     tool.wheel_button = true;
     tool.water = t_s < 7.0 ? 1.0 : 0.0;
     tool.shaft_mm = t_s > 2.3 && t_s < 4.6 ? 8.0 : 0.0;
     tool.assist_gap_mm = t_s > 5.1 && t_s < 6.8 ? 5.0 : 0.0;
-    tool.tool = t_s < 7.0 ? haptics::ToolKind::kHand : haptic::kRib;
+    tool.tool = t_s < 7.0 ? tool::Tool::kHand : tool::Tool::kRib;
     if (t_s > 8.8 && t_s < 8.9) {
-        tool.command = haptic::kCutRim;
-        tool.command_height_mm = 40.0;
+        tool.wire = tool::Wire::kCutRim;
+        tool.wire_height_mm = 40.0;
     }
     return tool;
 }
 
-class StudioHand final : public haptics::HapticDevice {
+class StudioHand final : public haptic::ToolDevice {
   public:
     explicit StudioHand(double rate_hz) : rate_hz_(rate_hz) {}
     Result<void> open() override { return {}; }
     void close() noexcept override {}
     [[nodiscard]] haptics::DeviceCapabilities capabilities() const override { return {.name = "script"}; }
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double /*dt_s*/) noexcept override {
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double /*dt_s*/) noexcept override {
         return studio_hand(tick, rate_hz_);
     }
     void write(const dvec3& /*force_n*/) noexcept override {}

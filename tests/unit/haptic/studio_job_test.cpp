@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/haptics/simulated_device.h"
 #include "game/haptic/job.h"
+#include "game/haptic/simulated_device.h"
 #include "tests/unit/haptic/studio_hand.h"
 
 namespace onggi::haptic {
@@ -117,7 +117,7 @@ TEST(StudioLoop, SaysWhereBothHandsAreAndWhatTheClayCarries) {
     StudioLoop loop;
     loop.run(3000);
     const Snapshot& snapshot = loop.work.newest_snapshot();
-    EXPECT_EQ(snapshot.result.side, clay::studio::Side::kIn);
+    EXPECT_EQ(snapshot.result.side, tool::Side::kIn);
     EXPECT_GT(snapshot.result.forces.contacts, 0);
     EXPECT_FALSE(snapshot.result.has_second);
     EXPECT_NEAR(snapshot.wheel_speed_rad_s, 4.0 * 3.14159, 0.5);
@@ -177,18 +177,18 @@ TEST(StudioLoop, PutsTheStateOnTheWheelThatItIsGiven) {
 // of the hand it would appear to have passed through the walls and would go on pressing.
 TEST(StudioLoop, DoesNotTakeAHandThatHasMovedOnForOneThatCameThroughTheWall) {
     const auto resting = [](const dvec3& place_mm) {
-        auto device = std::make_unique<haptics::SimulatedDevice>();
+        auto device = std::make_unique<haptic::SimulatedDevice>();
         device->set_target({.position_mm = place_mm, .wheel_button = true});
         return device;
     };
     HapticParameters parameters;
-    parameters.safety = haptics::limits_for(haptics::SimulatedDevice().capabilities());
+    parameters.safety = haptics::limits_for(haptic::SimulatedDevice().capabilities());
     for (const double pressing_s : {3.0, 6.0}) {  // inside; outside, from +x
         HapticState at_work = test::studio_start();
-        clay::studio::Side side{};
+        tool::Side side{};
         for (std::uint64_t k = 0; static_cast<double>(k) < pressing_s * kStudioRateHz; ++k)
             side = tick(at_work, test::studio_hand(k, kStudioRateHz), HapticParameters{}).side;
-        ASSERT_EQ(side, pressing_s < 4.0 ? clay::studio::Side::kIn : clay::studio::Side::kOut);
+        ASSERT_EQ(side, pressing_s < 4.0 ? tool::Side::kIn : tool::Side::kOut);
         for (const dvec3& place_mm : {dvec3(145.0, 12.0, 142.0), dvec3(-150.0, 30.0, 1.0)}) {
             HapticWork work(test::studio_start(), parameters, resting(place_mm), {});
             ASSERT_TRUE(work.device().open());

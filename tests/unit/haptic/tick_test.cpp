@@ -10,7 +10,7 @@
 namespace onggi::haptic {
 namespace {
 
-using haptics::ToolState;
+using tool::ToolState;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const ToolState kInTheWall{.position_mm = {69.0, 100.013, 0.0}, .radius_mm = 10.0};

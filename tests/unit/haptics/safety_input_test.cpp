@@ -8,7 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "engine/haptics/hands.h"
 #include "engine/haptics/safety_chain.h"
 #include "tests/support/engaged.h"
 

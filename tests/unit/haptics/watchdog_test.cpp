@@ -14,7 +14,7 @@ class Silenced final : public HapticDevice {
     Result<void> open() override { return {}; }
     void close() noexcept override {}
     [[nodiscard]] DeviceCapabilities capabilities() const override { return {}; }
-    [[nodiscard]] ToolState read(std::uint64_t, double) noexcept override { return {}; }
+    [[nodiscard]] HandSample read(std::uint64_t, double) noexcept override { return {}; }
     void write(const dvec3&) noexcept override {}
     void silence() noexcept override { ++times; }
 

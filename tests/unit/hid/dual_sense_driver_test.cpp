@@ -65,11 +65,11 @@ TEST_F(DualSenseDriverTest, MovesTheToolWithTheLeftStickAndPressesItInWithTheTri
 TEST_F(DualSenseDriverTest, TurnsTheWheelByCrossOrWhileL2IsPulled) {
     driver.take_report(report_with({{8, 0x28}}), 0);
     driver.take_report(report_with({}), 0);
-    EXPECT_TRUE(driver.input(0).wheel_button);
+    EXPECT_TRUE(driver.input(0).button);
     driver.take_report(report_with({{8, 0x28}}), 0);
-    EXPECT_FALSE(driver.input(0).wheel_button);
+    EXPECT_FALSE(driver.input(0).button);
     driver.take_report(report_with({{8, 0x28}, {5, 0xff}}), 0);
-    EXPECT_TRUE(driver.input(0).wheel_button);
+    EXPECT_TRUE(driver.input(0).button);
 }
 
 TEST_F(DualSenseDriverTest, IsStaleAfterATenthOfASecond) {
@@ -98,7 +98,7 @@ TEST_F(DualSenseDriverTest, LeavesTheTriggerLooseWhereItCannotPushBack) {
 
 TEST_F(DualSenseDriverTest, TremblesWithTheWallThatSlidesBy) {
     const auto report =
-        told({.tangential_n = -1.65, .tool_mm = {60.0, 50.0}, .wheel_turns = true, .ticks = 1}, 20 * kMs);
+        told({.tangential_n = -1.65, .tool_mm = {60.0, 50.0}, .turns = true, .ticks = 1}, 20 * kMs);
     ASSERT_EQ(report.size(), 48U);
     EXPECT_EQ(report[3], 0x30) << "half of the most";
     EXPECT_EQ(report[4], 0x00);
@@ -106,9 +106,7 @@ TEST_F(DualSenseDriverTest, TremblesWithTheWallThatSlidesBy) {
 }
 
 TEST_F(DualSenseDriverTest, ShinesTheRedderTheNearerTheClayIsToGivingWay) {
-    const auto light = [](double load) {
-        return as_hex(light_for({.wheel_turns = true, .work = {.load = load}}));
-    };
+    const auto light = [](double load) { return as_hex(light_for({.turns = true, .work = {.load = load}})); };
     EXPECT_EQ(as_hex(light_for({.work = {.load = 0.9}})), "00 10 40") << "a standing wheel is blue";
     EXPECT_EQ(light(0.0), "18 50 08");
     EXPECT_EQ(light(0.5), "60 28 00");
@@ -184,9 +182,9 @@ TEST_F(DualSenseDriverTest, LeadsTheToolByTiltWhileL1IsHeld) {
 
 TEST_F(DualSenseDriverTest, TurnsTheWheelTheFasterTheFurtherL2IsPulled) {
     driver.take_report(report_with({{5, 0x80}}), 0);
-    EXPECT_NEAR(driver.input(0).wheel_rev_min, 240.0 * 128.0 / 255.0, 1e-9);
+    EXPECT_NEAR(driver.input(0).rev_min, 240.0 * 128.0 / 255.0, 1e-9);
     driver.take_report(report_with({{5, 0x20}}), 0);
-    EXPECT_EQ(driver.input(0).wheel_rev_min, 0.0);
+    EXPECT_EQ(driver.input(0).rev_min, 0.0);
 }
 
 TEST_F(DualSenseDriverTest, SaysNothingTwiceAndNothingTooOften) {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "engine/haptics/hid/hand_input.h"
+#include "engine/haptics/hid/device_input.h"
 
 namespace onggi::haptics::hid {
 namespace {

@@ -76,17 +76,17 @@ class HidDeviceTest : public ::testing::Test {
 
 TEST_F(HidDeviceTest, IsHeardThroughItsThreadAndClosedWithIt) {
     std::uint64_t tick = 0;
-    EXPECT_FALSE(pedal.read(tick++, 0.001).wheel_button);
+    EXPECT_FALSE(pedal.read(tick++, 0.001).button);
     ASSERT_TRUE(pedal.open());
-    EXPECT_TRUE(comes_true([&] { return pedal.read(tick++, 0.0).wheel_button; }));
+    EXPECT_TRUE(comes_true([&] { return pedal.read(tick++, 0.0).button; }));
     EXPECT_EQ(open_ports(), 1);
     pedal.write({1.0, 2.0, 3.0});
     pedal.close();
     EXPECT_EQ(open_ports(), 0);
-    EXPECT_FALSE(pedal.read(tick++, 0.001).wheel_button) << "closed, it holds nothing";
+    EXPECT_FALSE(pedal.read(tick++, 0.001).button) << "closed, it holds nothing";
     pedal.close();
     ASSERT_TRUE(pedal.open()) << "and can be opened again";
-    EXPECT_TRUE(comes_true([&] { return pedal.read(tick++, 0.0).wheel_button; }));
+    EXPECT_TRUE(comes_true([&] { return pedal.read(tick++, 0.0).button; }));
     EXPECT_EQ(pedal.status().times_found, 2U);
 }
 

@@ -25,10 +25,10 @@ class NotingDriver final : public HidDriver {
     void take_report(std::span<const std::uint8_t> report, std::int64_t) noexcept override {
         input_.is_live = report[0] != 0;
         input_.is_fresh = report[0] == 1;
-        input_.motion = HandInput::Motion::kPlace;
+        input_.motion = DeviceInput::Motion::kPlace;
         input_.place_mm.x = report[1];
     }
-    [[nodiscard]] HandInput input(std::int64_t) const noexcept override { return input_; }
+    [[nodiscard]] DeviceInput input(std::int64_t) const noexcept override { return input_; }
     Result<void> send(HidPort& port, const ForceOrder& order, std::int64_t) override {
         force_n = order.force_n;
         const std::array<std::uint8_t, 1> nothing{};
@@ -42,7 +42,7 @@ class NotingDriver final : public HidDriver {
 
   private:
     std::vector<std::string>& notes_;
-    HandInput input_;
+    DeviceInput input_;
 };
 
 class HidSessionTest : public ::testing::Test {
@@ -357,13 +357,13 @@ TEST(SpaceMouseDriver, ReleasesAStuckAxisAndTheWheelAfterSilence) {
     driver.take_report(testing::hex("01 5e 01 00 00 00 00"), 0);
     EXPECT_TRUE(driver.input(100 * kMs).is_live);
     EXPECT_GT(driver.input(100 * kMs).rate_mm_s.x, 0.0);
-    EXPECT_TRUE(driver.input(100 * kMs).wheel_button) << "pressed and let go: it turns";
+    EXPECT_TRUE(driver.input(100 * kMs).button) << "pressed and let go: it turns";
     EXPECT_FALSE(driver.input(101 * kMs).is_live);
     // At rest it is silent.
     driver.take_report(testing::hex("01 00 00 00 00 00 00"), 200 * kMs);
     EXPECT_TRUE(driver.input(3600'000 * kMs).is_live);
     driver.take_report(testing::hex("03 01 00"), 300 * kMs);
-    EXPECT_FALSE(driver.input(300 * kMs).wheel_button) << "pressed again: it stands";
+    EXPECT_FALSE(driver.input(300 * kMs).button) << "pressed again: it stands";
     driver.stop(port);
     EXPECT_EQ(script->take_sent(), (std::vector<std::string>{"w 04 00"}));
 }
@@ -373,33 +373,33 @@ TEST(VecPedalDriver, TurnsTheWheelWhileAPedalIsDown) {
     testing::ScriptedPort port(script);
     VecPedalDriver driver;
     ASSERT_TRUE(driver.start({}, port));
-    EXPECT_FALSE(driver.input(0).wheel_button);
+    EXPECT_FALSE(driver.input(0).button);
     driver.take_report(testing::hex("02 00"), 0);
-    EXPECT_TRUE(driver.input(3600'000 * kMs).wheel_button) << "held for an hour, it says nothing";
+    EXPECT_TRUE(driver.input(3600'000 * kMs).button) << "held for an hour, it says nothing";
     driver.take_report(testing::hex("ff ff"), 0);
-    EXPECT_TRUE(driver.input(0).wheel_button) << "no report of this device";
+    EXPECT_TRUE(driver.input(0).button) << "no report of this device";
     driver.take_report(testing::hex("00 00"), 0);
-    EXPECT_FALSE(driver.input(0).wheel_button);
-    EXPECT_EQ(driver.input(0).motion, HandInput::Motion::kNone);
+    EXPECT_FALSE(driver.input(0).button);
+    EXPECT_EQ(driver.input(0).motion, DeviceInput::Motion::kNone);
 }
 
 TEST(VecPedalDriver, MakesTheWheelFasterByTheRightPedalAndSlowerByTheLeft) {
     VecPedalDriver driver;
     driver.take_report(testing::hex("04 00"), 0);
-    EXPECT_TRUE(driver.input(0).wheel_button);
-    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, 40.0);
+    EXPECT_TRUE(driver.input(0).button);
+    EXPECT_EQ(driver.input(0).change_rev_min_s, 40.0);
     driver.take_report(testing::hex("01 00"), 0);
-    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, -40.0);
+    EXPECT_EQ(driver.input(0).change_rev_min_s, -40.0);
     driver.take_report(testing::hex("02 00"), 0);
-    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, 0.0);
+    EXPECT_EQ(driver.input(0).change_rev_min_s, 0.0);
 }
 
 TEST(SpaceMouseDriver, ChangesTheWheelsSpeedByATwist) {
     SpaceMouseDriver driver;
     driver.take_report(testing::hex("02 00 00 00 00 5e 01"), 0);  // Rz 350
-    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, 80.0);
+    EXPECT_EQ(driver.input(0).change_rev_min_s, 80.0);
     driver.take_report(testing::hex("02 00 00 00 00 a2 fe"), 0);  // -350
-    EXPECT_EQ(driver.input(0).wheel_change_rev_min_s, -80.0);
+    EXPECT_EQ(driver.input(0).change_rev_min_s, -80.0);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class StickInTheClay : public ::testing::Test {
         for (int k = 0; k < milliseconds; ++k) {
             if (time_ms_ % 4 == 0) (void)session_.round(time_ms_ * kMs);
             ++time_ms_;
-            const ToolState tool = tracker_.moved(link_.input.latest(), kStep);
+            const HandSample tool = tracker_.moved(link_.input.latest(), kStep);
             const dvec3 wanted(0.0, pushes ? 1.0 : 0.0, 0.0);
             force_n = apply_safety_chain(wanted,
                                          {.position_mm = tool.position_mm,

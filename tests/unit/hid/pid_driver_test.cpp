@@ -195,7 +195,7 @@ TEST_F(PidDriverTest, PlacesTheToolWhereTheStickIs) {
     EXPECT_EQ(driver.input(0).place_mm, dvec2(0.0, 0.0)) << "left and towards the hand: inwards and down";
     EXPECT_TRUE(driver.input(1000 * kMs).is_live);
     EXPECT_FALSE(driver.input(1001 * kMs).is_live);
-    EXPECT_EQ(driver.input(0).motion, HandInput::Motion::kPlace);
+    EXPECT_EQ(driver.input(0).motion, DeviceInput::Motion::kPlace);
 }
 
 TEST_F(PidDriverTest, TurnsTheWheelByItsFirstButton) {
@@ -203,11 +203,11 @@ TEST_F(PidDriverTest, TurnsTheWheelByItsFirstButton) {
     const auto press = hex("01 | 01 00 00 00 00 00 00 00 | 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00");
     driver.take_report(press, 0);
     driver.take_report(press, 0);
-    EXPECT_TRUE(driver.input(0).wheel_button);
+    EXPECT_TRUE(driver.input(0).button);
     driver.take_report(hex(kStickInTheMiddle), 0);
-    EXPECT_TRUE(driver.input(0).wheel_button);
+    EXPECT_TRUE(driver.input(0).button);
     driver.take_report(press, 0);
-    EXPECT_FALSE(driver.input(0).wheel_button);
+    EXPECT_FALSE(driver.input(0).button);
 }
 
 TEST_F(PidDriverTest, AsksAgainUntilABlockIsReady) {

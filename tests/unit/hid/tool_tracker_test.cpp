@@ -8,29 +8,28 @@ namespace {
 
 constexpr double kStep = 0.001;
 
-HandInput pushing(std::uint64_t heartbeat) {
-    return {.motion = HandInput::Motion::kRate,
+DeviceInput pushing(std::uint64_t heartbeat) {
+    return {.motion = DeviceInput::Motion::kRate,
             .rate_mm_s = {-50.0, 20.0},
-            .wheel_button = true,
+            .button = true,
             .is_live = true,
             .heartbeat = heartbeat};
 }
 
 TEST(ToolTracker, MovesByTheRateOfTheHand) {
     ToolTracker tracker;
-    ToolState tool;
+    HandSample tool;
     for (std::uint64_t tick = 1; tick <= 1000; ++tick)
         tool = tracker.moved(pushing(tick), kStep);
     EXPECT_NEAR(tool.position_mm.x, 60.0, 1e-9);
     EXPECT_NEAR(tool.position_mm.y, 80.0, 1e-9);
     EXPECT_EQ(tool.position_mm.z, 0.0);
-    EXPECT_TRUE(tool.wheel_button);
-    EXPECT_EQ(tool.radius_mm, 10.0);
+    EXPECT_TRUE(tool.button);
 }
 
 TEST(ToolTracker, StaysWhereItIsWhenTheIoThreadStandsStill) {
     ToolTracker tracker;
-    ToolState tool;
+    HandSample tool;
     double moved_mm = 0.0;
     double x_mm = tracker.moved(pushing(1), kStep).position_mm.x;
     for (int tick = 0; tick < 1000; ++tick) {
@@ -39,14 +38,14 @@ TEST(ToolTracker, StaysWhereItIsWhenTheIoThreadStandsStill) {
         x_mm = tool.position_mm.x;
     }
     EXPECT_LE(moved_mm, 50.0 * 0.051) << "50 ms at 50 mm/s";
-    EXPECT_FALSE(tool.wheel_button);
+    EXPECT_FALSE(tool.button);
     EXPECT_FALSE(tracker.input_is_live());
-    EXPECT_TRUE(tracker.moved(pushing(2), kStep).wheel_button) << "and goes on when it goes on";
+    EXPECT_TRUE(tracker.moved(pushing(2), kStep).button) << "and goes on when it goes on";
 }
 
 TEST(ToolTracker, TellsARefreshedPlaceFromAThreadThatLives) {
     ToolTracker tracker;
-    HandInput input = pushing(1);
+    DeviceInput input = pushing(1);
     input.refreshed = 1;
     (void)tracker.moved(input, kStep);
     EXPECT_TRUE(tracker.was_refreshed());
@@ -64,20 +63,20 @@ TEST(ToolTracker, TellsARefreshedPlaceFromAThreadThatLives) {
 
 TEST(ToolTracker, StaysWhereItIsWhenNothingIsPluggedIn) {
     ToolTracker tracker;
-    HandInput input = pushing(1);
-    const ToolState before = tracker.moved(input, kStep);
+    DeviceInput input = pushing(1);
+    const HandSample before = tracker.moved(input, kStep);
     input.is_live = false;
     for (std::uint64_t tick = 2; tick < 100; ++tick) {
         input.heartbeat = tick;
         EXPECT_EQ(tracker.moved(input, kStep).position_mm, before.position_mm);
-        EXPECT_FALSE(tracker.moved(input, kStep).wheel_button);
+        EXPECT_FALSE(tracker.moved(input, kStep).button);
     }
 }
 
 TEST(ToolTracker, GoesAlongWithWhatTheHandHasTravelledOnceAndWithoutALeap) {
     ToolTracker tracker;
-    HandInput input{.motion = HandInput::Motion::kRate, .travelled_mm = {500.0, 0.0}, .heartbeat = 1};
-    const ToolState before = tracker.moved(input, kStep);
+    DeviceInput input{.motion = DeviceInput::Motion::kRate, .travelled_mm = {500.0, 0.0}, .heartbeat = 1};
+    const HandSample before = tracker.moved(input, kStep);
     input.is_live = true;
     input.heartbeat = 2;
     EXPECT_EQ(tracker.moved(input, kStep).position_mm, before.position_mm) << "travelled before it was heard";
@@ -93,37 +92,37 @@ TEST(ToolTracker, GoesOnFromWhereAnotherHandLeftTheTool) {
     ToolTracker tracker;
     (void)tracker.moved(pushing(1), kStep);
     tracker.put_at({80.0, 40.0, 7.0});
-    const ToolState tool = tracker.moved(pushing(2), kStep);
+    const HandSample tool = tracker.moved(pushing(2), kStep);
     EXPECT_NEAR(tool.position_mm.x, 80.0 - 0.05, 1e-9);
     EXPECT_NEAR(tool.position_mm.y, 40.0 + 0.02, 1e-9);
 }
 
 TEST(ToolTracker, KeepsTheWheelsSpeedThatTheHandHasChanged) {
     ToolTracker tracker;
-    HandInput input = pushing(1);
-    EXPECT_EQ(tracker.moved(input, kStep).wheel_speed_rev_min, 120.0);
-    input.wheel_change_rev_min_s = 40.0;
-    ToolState tool;
+    DeviceInput input = pushing(1);
+    EXPECT_EQ(tracker.moved(input, kStep).rev_min, 120.0);
+    input.change_rev_min_s = 40.0;
+    HandSample tool;
     for (std::uint64_t tick = 2; tick < 1002; ++tick) {
         input.heartbeat = tick;
         tool = tracker.moved(input, kStep);
     }
-    EXPECT_NEAR(tool.wheel_speed_rev_min, 160.0, 1e-6);
-    input.wheel_change_rev_min_s = 0.0;
-    input.wheel_rev_min = 77.0;
-    EXPECT_EQ(tracker.moved(input, kStep).wheel_speed_rev_min, 77.0) << "or said outright";
-    input.wheel_rev_min = 1e9;
-    EXPECT_EQ(tracker.moved(input, kStep).wheel_speed_rev_min, 240.0);
+    EXPECT_NEAR(tool.rev_min, 160.0, 1e-6);
+    input.change_rev_min_s = 0.0;
+    input.rev_min = 77.0;
+    EXPECT_EQ(tracker.moved(input, kStep).rev_min, 77.0) << "or said outright";
+    input.rev_min = 1e9;
+    EXPECT_EQ(tracker.moved(input, kStep).rev_min, 240.0);
 }
 
 TEST(ToolTracker, NeverLeavesItsReach) {
     const ToolReach reach;
     ToolTracker tracker(reach);
-    HandInput input = pushing(1);
+    DeviceInput input = pushing(1);
     input.rate_mm_s = {-1e6, 1e6};
     input.press_mm = 1e6;
     for (; input.heartbeat < 1000; ++input.heartbeat) {
-        const ToolState tool = tracker.moved(input, kStep);
+        const HandSample tool = tracker.moved(input, kStep);
         EXPECT_GE(tool.position_mm.x, reach.least_radius_mm);
         EXPECT_LE(tool.position_mm.y, reach.most_height_mm);
     }
@@ -131,8 +130,8 @@ TEST(ToolTracker, NeverLeavesItsReach) {
 
 TEST(ToolTracker, DrawsTheToolToAStickInsteadOfTearingItThere) {
     ToolTracker tracker;  // starts at radius 110
-    HandInput input{
-        .motion = HandInput::Motion::kPlace, .place_mm = {20.0, 60.0}, .is_live = true, .heartbeat = 1};
+    DeviceInput input{
+        .motion = DeviceInput::Motion::kPlace, .place_mm = {20.0, 60.0}, .is_live = true, .heartbeat = 1};
     double x_mm = 110.0;
     for (; input.heartbeat < 150; ++input.heartbeat) {
         const double next_mm = tracker.moved(input, kStep).position_mm.x;
@@ -147,8 +146,9 @@ TEST(ToolTracker, DrawsTheToolToAStickInsteadOfTearingItThere) {
 
 TEST(ToolTracker, PressesInwardsFromWhereItStands) {
     ToolTracker tracker;
-    HandInput input{.motion = HandInput::Motion::kRate, .press_mm = 12.0, .is_live = true, .heartbeat = 1};
-    ToolState tool;
+    DeviceInput input{
+        .motion = DeviceInput::Motion::kRate, .press_mm = 12.0, .is_live = true, .heartbeat = 1};
+    HandSample tool;
     for (; input.heartbeat < 100; ++input.heartbeat)
         tool = tracker.moved(input, kStep);
     EXPECT_NEAR(tool.position_mm.x, 98.0, 1e-9);

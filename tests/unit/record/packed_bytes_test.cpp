@@ -1,5 +1,5 @@
 // Compressed bytes are restored to the bit.
-#include "engine/record/packed_bytes.h"
+#include "game/record/packed_bytes.h"
 
 #include <gtest/gtest.h>
 

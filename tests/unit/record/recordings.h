@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/record/session.h"
-#include "engine/record/session_writer.h"
-#include "game/haptic/tools.h"
+#include "game/record/session.h"
+#include "game/record/session_writer.h"
+#include "game/tool/tool.h"
 #include "tests/support/session_checksums.h"
 #include "tests/support/temporary_folder.h"
 
@@ -23,9 +23,9 @@ inline std::span<const std::byte> bytes_of(std::string_view text) {
 }
 
 // Rests for 300 ticks, moves for 300, rests with another tool for 300, and so on.
-inline haptics::ToolState tool_at(std::uint64_t tick) {
+inline tool::ToolState tool_at(std::uint64_t tick) {
     const std::uint64_t part = tick / 300;
-    haptics::ToolState tool;
+    tool::ToolState tool;
     const std::uint64_t moved = part % 2 == 0 ? part * 300 : tick;
     tool.position_mm = {60.0 + static_cast<double>(moved) / 8192.0, -0.0, static_cast<double>(part) / 3.0};
     tool.radius_mm = 10.0 + static_cast<double>(part % 30);
@@ -34,14 +34,14 @@ inline haptics::ToolState tool_at(std::uint64_t tick) {
 }
 
 // A pair of hands: rests, moves one hand, moves both, changes the tools, releases and presses again.
-inline haptics::ToolState both_hands_at(std::uint64_t tick) {
-    haptics::ToolState tool = tool_at(tick);
+inline tool::ToolState both_hands_at(std::uint64_t tick) {
+    tool::ToolState tool = tool_at(tick);
     const std::uint64_t part = tick / 300;
-    tool.tool = static_cast<haptics::ToolKind>(part % 4);
-    tool.side = static_cast<haptics::SideHint>(part % 3);
+    tool.tool = static_cast<tool::Tool>(part % 4);
+    tool.side = static_cast<tool::Side>(part % 3);
     tool.water = part % 2 == 0 ? 0.25 : 1.0;
-    tool.command = part == 2 ? haptic::kCutRim : haptics::WorkCommand::kNone;
-    tool.command_height_mm = static_cast<double>(part);
+    tool.wire = part == 2 ? tool::Wire::kCutRim : tool::Wire::kNone;
+    tool.wire_height_mm = static_cast<double>(part);
     tool.wheel_speed_rev_min = 100.0 + static_cast<double>(part);
     tool.assist_gap_mm = part % 5 == 4 ? 6.5 : 0.0;
     tool.shaft_mm = static_cast<double>(part % 3);
@@ -50,7 +50,7 @@ inline haptics::ToolState both_hands_at(std::uint64_t tick) {
     if (part % 4 != 3) {
         const double moved = part % 4 == 1 ? static_cast<double>(tick) / 4096.0 : 0.0;
         tool.second = {.present = true,
-                       .tool = haptic::kRib,
+                       .tool = tool::Tool::kRib,
                        .radius_mm = 7.0,
                        .position_mm = {-60.0 - moved, 20.0, -0.0}};
     }

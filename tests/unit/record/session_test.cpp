@@ -1,4 +1,4 @@
-#include "engine/record/session.h"
+#include "game/record/session.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 #include "tests/support/hostile_system.h"
 #include "tests/unit/record/recordings.h"
 
@@ -37,7 +37,7 @@ TEST(Session, GivesBackEveryTick) {
         ASSERT_EQ(session.tick_count(), ticks);
         SessionCursor cursor(session);
         for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-            const haptics::ToolState tool = cursor.at(tick);
+            const tool::ToolState tool = cursor.at(tick);
             ASSERT_EQ(tool, tool_at(tick)) << tick;
             // -0.0 equals 0.0, but it is not the same input.
             ASSERT_TRUE(std::signbit(tool.position_mm.y)) << tick;
@@ -66,7 +66,7 @@ TEST(Session, CanBeEmpty) {
     EXPECT_EQ(session.tick_count(), 0U);
     EXPECT_TRUE(session.is_complete());
     EXPECT_TRUE(session.start_state().empty());
-    EXPECT_EQ(SessionCursor(session).at(3), haptics::ToolState{});
+    EXPECT_EQ(SessionCursor(session).at(3), tool::ToolState{});
 }
 
 TEST(Session, GivesBackItsSupplementAndPlaysAllTheSame) {
@@ -102,7 +102,7 @@ TEST(Session, HasTheBytesItsDocumentSays) {
     auto writer = SessionWriter::create(folder / "s.onggi", {.rate_hz = 1000.0, .start_state_hash = 0x1122},
                                         bytes_of("AB"));
     ASSERT_TRUE(writer);
-    const haptics::ToolState tool{.position_mm = {1.0, 2.0, 4.0}, .radius_mm = 10.0, .wheel_button = true};
+    const tool::ToolState tool{.position_mm = {1.0, 2.0, 4.0}, .radius_mm = 10.0, .wheel_button = true};
     ASSERT_TRUE(writer->add_tick(tool, {}));
     ASSERT_TRUE(writer->add_tick(tool, {}));
     ASSERT_TRUE(writer->prepare(0x77));
@@ -181,17 +181,6 @@ TEST(SessionCursor, FindsAnyTickInAnyOrder) {
     EXPECT_EQ(cursor.at(4320), tool_at(4320));
     EXPECT_EQ(cursor.at(1000000), tool_at(4320));
     EXPECT_EQ(cursor.at(0), tool_at(0));
-}
-
-TEST(SessionPlayer, ReadsWhatWasRecorded) {
-    SessionPlayer player(session_of(session_bytes(1500)));
-    ASSERT_TRUE(player.open());
-    EXPECT_EQ(player.tick_count(), 1500U);
-    for (std::uint64_t tick = 0; tick < 1500; ++tick)
-        ASSERT_EQ(player.read(tick, 1.0 / 4000.0), tool_at(tick));
-    EXPECT_EQ(player.capabilities().force_axes, 0);
-    player.write({1, 2, 3});
-    EXPECT_EQ(player.last_force_n(), dvec3(1, 2, 3));
 }
 
 TEST(ForceCheck, TellsForcesApartByTheirBits) {
@@ -302,7 +291,7 @@ TEST(StudioSession, KeepsAHandThatLetsGoWhereItIs) {
     auto writer = SessionWriter::create(folder / "s.onggi", studio_header(), {});
     ASSERT_TRUE(writer);
     const auto finger_at = [](std::uint64_t tick) {
-        return haptics::ToolState{
+        return tool::ToolState{
             .position_mm = {50.0, 20.0, 0.0}, .guided = tick % 7 < 4, .pressing = tick % 5 < 3 || tick > 800};
     };
     for (std::uint64_t tick = 0; tick < 1000; ++tick)
@@ -323,7 +312,7 @@ TEST(SessionWriter, RejectsAToolThatThePapersClayCannotHear) {
     const TemporaryFolder folder;
     auto writer = SessionWriter::create(folder / "s.onggi", test_header(), {});
     ASSERT_TRUE(writer);
-    EXPECT_FALSE(writer->add_tick({.tool = haptic::kSponge}, dvec3(0.0)));
+    EXPECT_FALSE(writer->add_tick({.tool = tool::Tool::kSponge}, dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.wheel_speed_rev_min = 100.0}, dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.guided = true}, dvec3(0.0)));
     EXPECT_FALSE(writer->add_tick({.pressing = false}, dvec3(0.0)));

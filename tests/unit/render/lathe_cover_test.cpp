@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/render/shapes/frame_build.h"
-#include "engine/render/shapes/lathe_vertices.h"
+#include "engine/render/shapes/lathe_mesh.h"
 #include "tests/unit/render/lathe_samples.h"
 
 namespace onggi::render {

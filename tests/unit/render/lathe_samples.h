@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/render/shapes/lathe_profile.h"
+#include "engine/render/shapes/lathe_mesh.h"
 
 namespace onggi::render {
 

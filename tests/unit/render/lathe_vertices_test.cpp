@@ -1,4 +1,4 @@
-#include "engine/render/shapes/lathe_vertices.h"
+#include "engine/render/shapes/lathe_mesh.h"
 
 #include <gtest/gtest.h>
 

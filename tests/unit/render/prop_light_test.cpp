@@ -1,5 +1,5 @@
 // tests/golden/backends_agree_test.cpp compares with the shader; here, cases of light with known results.
-#include "engine/render/pixels/prop_light.h"
+#include "engine/render/pixels/prop_pixels.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <random>
 
-#include "engine/render/shapes/shadow_region.h"
+#include "engine/render/shapes/frame_build.h"
 #include "shaders/transfer.h"
 
 namespace onggi::render {

@@ -1,4 +1,4 @@
-#include "engine/render/shapes/shadow_region.h"
+#include "engine/render/shapes/frame_build.h"
 
 #include <gtest/gtest.h>
 

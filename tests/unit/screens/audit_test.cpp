@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "game/screens/screens.h"
+#include "game/visit/steps.h"
 #include "tests/unit/screens/audit_checks.h"
 #include "tests/unit/screens/sample_views.h"
 
@@ -80,11 +80,11 @@ void expect_nothing_in_any_layout(const Case& one, ui::Painter& painter) {
         for (const SampleRequest& way : ways_of(one, text_size)) {
             for (const SampleView& sample : sample_views(way)) {
                 SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(way)));
-                Composition screen = compose(*sample.view, painter, store);
+                Composition screen = visit::compose(*sample.view, painter, store);
                 audit_layout(sample, screen);
                 if (!way.scans) continue;
                 const SampleView ringed = with_ring(sample, ++ring, screen.targets.size());
-                audit_layout(ringed, compose(*ringed.view, painter, store));
+                audit_layout(ringed, visit::compose(*ringed.view, painter, store));
             }
         }
     }
@@ -118,7 +118,7 @@ TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
                                             .reach = reach,
                                             .staff = false})) {
                 std::map<std::string, int> again;
-                for (const Writing& text : compose(*sample.view, *painter_, store).writings) {
+                for (const Writing& text : visit::compose(*sample.view, *painter_, store).writings) {
                     const std::string key =
                         fmt::format("{} {} {}", sample.name, text.words, again[text.words]++);
                     const auto smaller = before.find(key);
@@ -150,7 +150,7 @@ TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
         for (const SampleView& sample : sample_views(request)) {
             SCOPED_TRACE(fmt::format("{}, {}", sample.name, words_for(request)));
             const SampleView ringed = request.scans ? with_ring(sample, ++ring, 12) : sample;
-            const Composition composition = compose(*ringed.view, *painter_, *store_);
+            const Composition composition = visit::compose(*ringed.view, *painter_, *store_);
             audit_contrast(ringed, composition);
             audit_room(ringed, composition);
         }

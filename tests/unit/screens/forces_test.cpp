@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/screens/screens.h"
 #include "game/screens/stage.h"
+#include "game/visit/steps.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace onggi::screens {
@@ -121,7 +121,7 @@ class ForcesOnStage : public testing::Test {
         for (const SampleView& sample : sample_views({.width_px = 640, .height_px = 360})) {
             if (sample.name != name) continue;
             stage.take(std::make_shared<const Composed>(
-                           Composed{sample.view, compose(*sample.view, painter_, store_)}),
+                           Composed{sample.view, visit::compose(*sample.view, painter_, store_)}),
                        0.0);
         }
         static_cast<void>(stage.draw({.now_s = 1.0}));
@@ -155,10 +155,9 @@ TEST_F(ForcesOnStage, LaysNothingButForcesOverAPictureThatPlaysByItself) {
     View view;
     view.width_px = 640;
     view.height_px = 360;
-    view.only_forces = true;
     view.state.comfort.forces = true;
     view.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
-    const Composition alone = compose(view, painter_, store_);
+    const Composition alone = compose_forces(view, painter_, store_);
     EXPECT_TRUE(alone.targets.empty());
     ASSERT_NE(alone.forces, nullptr);
     EXPECT_TRUE(alone.forces->has_panel);

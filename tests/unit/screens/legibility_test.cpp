@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "game/screens/screens.h"
+#include "game/visit/steps.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace onggi::screens {
@@ -34,7 +34,7 @@ std::vector<Composition> composed(const std::vector<std::string>& names, const P
         View view = *sample.view;
         view.px_per_mm = px_per_mm(panel.width_px, panel.height_px, panel.diagonal_inch);
         view.distance_mm = panel.distance_mm;
-        screens.push_back(compose(view, painter, store));
+        screens.push_back(visit::compose(view, painter, store));
     }
     EXPECT_EQ(screens.size(), names.size());
     return screens;

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "game/screens/screens.h"
 #include "game/screens/stage.h"
+#include "game/visit/steps.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace onggi::screens {
@@ -28,7 +28,7 @@ class LessMotion : public testing::Test {
         for (const SampleView& sample :
              sample_views({.width_px = 320, .height_px = 180, .still = still, .staff = false}))
             all.push_back(std::make_shared<const Composed>(
-                Composed{sample.view, compose(*sample.view, painter_, store_)}));
+                Composed{sample.view, visit::compose(*sample.view, painter_, store_)}));
         return all;
     }
     const ui::DrawList& draw(Stage& stage, double now_s) const {

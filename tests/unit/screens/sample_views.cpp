@@ -109,7 +109,7 @@ void add_jar_views(const View& base, std::vector<SampleView>& all) {
     });
     add("jar-join", Screen::kJoin, JarStep::kJoin, [](View& view) { view.state.throwing.jar.rims_mm = 3; });
     add("jar-seam", Screen::kThrow, JarStep::kSeam, [](View& view) {
-        view.state.throwing.held = kiosk::Held::kRib;
+        view.state.throwing.held = tool::Tool::kRib;
         view.outline_px.clear();
     });
 }
@@ -153,7 +153,7 @@ void add_step_views(const Samples& add) {
     for (int step = 0; step < 3; ++step) {
         add("throw-shown-" + std::to_string(step), Screen::kThrow, [&](View& view) {
             view.state.throwing.steps_done = step;
-            view.state.throwing.shown = step;
+            view.state.throwing.shown = static_cast<kiosk::ShownStep>(step);
         });
     }
     add("throw-reach", Screen::kThrow, [](View& view) {
@@ -178,19 +178,19 @@ void add_step_views(const Samples& add) {
 }
 
 void add_tool_views(const Samples& add) {
-    for (int held = 0; held < kiosk::kHeldCount; ++held) {
+    for (std::size_t place = 0; place < kiosk::kTrayTools.size(); ++place) {
         const auto holds = [&](View& view) {
-            view.state.throwing.held = static_cast<kiosk::Held>(held);
+            view.state.throwing.held = kiosk::kTrayTools[place];
             view.state.throwing.steps_done = kiosk::kTeachingSteps;
         };
         const auto wire = [](View& view) {
-            if (view.state.throwing.held != kiosk::Held::kWire) return;
+            if (view.state.throwing.held != tool::Tool::kWire) return;
             view.wire_off_mm = 6;
             view.wire_at_px =
                 vec2(0.66F * static_cast<float>(view.width_px), 0.2F * static_cast<float>(view.height_px));
         };
         for (const bool scans : {false, true}) {
-            const std::string ending = (scans ? "scan-" : "") + std::to_string(held);
+            const std::string ending = (scans ? "scan-" : "") + std::to_string(place);
             const auto scan = [&](View& view) {
                 if (!scans) return;
                 view.scans = true;
@@ -201,7 +201,7 @@ void add_tool_views(const Samples& add) {
                 scan(view);
                 view.state.throwing.tray = true;
             });
-            if (held == 0) continue;
+            if (place == 0) continue;
             add("held-" + ending, Screen::kThrow, [&](View& view) {
                 holds(view);
                 scan(view);

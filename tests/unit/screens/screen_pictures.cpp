@@ -8,7 +8,7 @@
 
 #include "engine/asset/image.h"
 #include "engine/files/atomic_file.h"
-#include "game/screens/screens.h"
+#include "game/visit/steps.h"
 #include "tests/unit/screens/flatten.h"
 #include "tests/unit/screens/sample_views.h"
 
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     screens::PaintingStore store(painter);
     for (const screens::SampleView& sample : screens::sample_views(request)) {
         if (!sample.name.starts_with(word(6, ""))) continue;
-        const auto composition = screens::compose(*sample.view, painter, store);
+        const auto composition = visit::compose(*sample.view, painter, store);
         const auto png = asset::encode_png(screens::flatten(composition, ui::hex(0x8f7c64), true));
         if (!png) return 1;
         const auto name = folder / fmt::format("{}-{}-{}x{}-{}.png", sample.name, request.language,

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "game/screens/screens.h"
+#include "game/visit/steps.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace {
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     ui::Painter painter;
     screens::PaintingStore store(painter, screens::PaintingStore::Paints::kNothing);
     for (const screens::SampleView& sample : screens::sample_views(request)) {
-        const auto screen = screens::compose(*sample.view, painter, store);
+        const auto screen = visit::compose(*sample.view, painter, store);
         for (std::size_t place = 0; place < screen.targets.size(); ++place) {
             const screens::Target& target = screen.targets[place];
             const vec2 middle = target.rect.centre() * screen.px_per_u;

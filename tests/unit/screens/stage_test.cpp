@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "game/screens/screens.h"
+#include "game/visit/steps.h"
 #include "tests/support/comes_true.h"
 #include "tests/unit/screens/sample_views.h"
 
@@ -23,7 +23,7 @@ class Theatre : public testing::Test {
              sample_views({.width_px = 640, .height_px = 360, .language = language})) {
             if (sample.name == name)
                 return std::make_shared<const Composed>(
-                    Composed{sample.view, compose(*sample.view, painter_, store_)});
+                    Composed{sample.view, visit::compose(*sample.view, painter_, store_)});
         }
         return nullptr;
     }
@@ -263,7 +263,7 @@ TEST_F(Theatre, DrawsTheWarningOnThePotWithoutTheAtlas) {
 }
 
 TEST(Composer, ComposesTheNewestRequestBesideTheFrame) {
-    Composer composer;
+    Composer composer(visit::compose);
     ASSERT_TRUE(composer.start());
     const auto samples = sample_views({.width_px = 640, .height_px = 360});
     for (const SampleView& sample : samples)
@@ -279,7 +279,7 @@ TEST(Composer, ComposesTheNewestRequestBesideTheFrame) {
 // A frame never waits for text: it is painted beside the frames.
 TEST(Composer, LeavesTheFrameNothingToPaint) {
     const auto samples = sample_views({.width_px = 320, .height_px = 180});
-    Composer composer;
+    Composer composer(visit::compose);
     Stage stage;
     ASSERT_TRUE(composer.start());
     const std::uint64_t before = ui::Painter::work_of_this_thread();

@@ -79,6 +79,7 @@ TEST_F(ShareServerAtWork, AnswersAndForgets) {
 
 TEST_F(ShareServerAtWork, ClosesSilentSlowAndGoneConnections) {
     test::HttpClient silent(port_, 200);
+    silent.say("G");  // the kernel holds a connection back until its first byte
     test::HttpClient slow(port_, 200);
     slow.say("GET /" + code_ + "/ HT");
     {
@@ -99,22 +100,23 @@ TEST_F(ShareServerAtWork, ClosesSilentSlowAndGoneConnections) {
     EXPECT_EQ(status_of(page()), 200);
 }
 
-// Each from an address of its own: as many as the server takes.
-TEST_F(ShareServerAtWork, CutsOffACrowdOfSilentOnesAfterASecond) {
+// Each from an address of its own: more than the server takes.
+TEST_F(ShareServerAtWork, MakesRoomInACrowdAndCutsItOffAfterASecond) {
     std::vector<test::HttpClient> crowd;
     constexpr std::uint32_t kFirstAddress = 0x7f010101;
-    for (std::uint32_t i = 0; i < 512; ++i) {
+    for (std::uint32_t i = 0; i < 600; ++i) {
         crowd.emplace_back(port_, 500, kFirstAddress + 256 * i);
         ASSERT_TRUE(crowd.back().is_open()) << i;
-        // A round takes in a few of those that wait.
-        for (int round = 0; round < 100 && server_->connections() < crowd.size(); ++round)
-            turn(1);
+        crowd.back().say("G");
+        turn(2);
     }
-    ASSERT_EQ(server_->connections(), 512U);
-    EXPECT_EQ(status_of(page()), 0) << "there is no room";
+    const std::size_t held = server_->connections();
+    EXPECT_GE(held, 440U);
+    EXPECT_LE(held, 450U) << "newcomers have replaced the oldest";
+    EXPECT_EQ(status_of(page()), 200);
     now_s_ += 0.9;
     turn();
-    EXPECT_EQ(server_->connections(), 512U);
+    EXPECT_GE(server_->connections(), 440U);
     now_s_ += 0.5;
     turn(20);
     EXPECT_EQ(server_->connections(), 0U) << "ten seconds of silence are for who has room";
@@ -143,6 +145,7 @@ TEST_F(ShareServerAtWork, GivesASecondAnswerOnTheSameConnection) {
 
 TEST_F(ShareServerAtWork, EndsWhileClientsAreThere) {
     test::HttpClient waiting(port_, 500);
+    waiting.say("G");
     test::HttpClient halfway(port_, 500);
     halfway.say("GET /" + code_);
     turn();

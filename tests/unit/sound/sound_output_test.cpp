@@ -63,7 +63,7 @@ class SoundWorkTest : public ::testing::Test {
 };
 
 TEST_F(SoundWorkTest, PlaysTheNewestSceneAsFarAheadAsIsWanted) {
-    work_.scene.put({.wheel_rev_min = 120.0, .volume = 1.0});
+    work_.scene.put({.rev_min = 120.0, .volume = 1.0});
     const std::int64_t rest_ns = work_.round(0);
     EXPECT_GT(rest_ns, 0);
     EXPECT_LT(rest_ns, kSecond / 100) << "less than a block";
@@ -102,7 +102,7 @@ TEST_F(SoundWorkTest, OutlivesADeviceThatIsPulledOut) {
 }
 
 TEST_F(SoundWorkTest, FadesOutAtTheEnd) {
-    work_.scene.put({.wheel_rev_min = 120.0, .volume = 1.0});
+    work_.scene.put({.rev_min = 120.0, .volume = 1.0});
     for (int round = 0; round < 20; ++round)
         (void)work_.round(round * kSecond / 200);
     work_.finish();
@@ -118,7 +118,7 @@ TEST(SoundOutput, RunsOnAThreadOfItsOwnAndEnds) {
     SoundOutput sound(std::make_unique<FakePlace>(hall));
     ASSERT_TRUE(sound.open());
     ASSERT_TRUE(sound.open()) << "a second time changes nothing";
-    sound.play({.wheel_rev_min = 60.0});
+    sound.play({.rev_min = 60.0});
     test::comes_true([&] { return !sound.status().message.empty(); });
     EXPECT_EQ(sound.status().message, "no hall");
     sound.close();

@@ -18,9 +18,9 @@ using testing::left_of;
 using testing::level_db;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr SoundScene kTurning{.wheel_rev_min = 120.0, .volume = 1.0};
+constexpr SoundScene kTurning{.rev_min = 120.0, .volume = 1.0};
 constexpr SoundScene kPressing{
-    .wheel_rev_min = 120.0, .contact_n = 1.0, .slip_mm_s = 700.0, .wetness = 0.8, .volume = 1.0};
+    .rev_min = 120.0, .contact_n = 1.0, .slip_mm_s = 700.0, .wetness = 0.8, .volume = 1.0};
 
 std::vector<Sample> played(Synthesiser& synthesiser, const SoundScene& scene, double seconds) {
     std::vector<Sample> samples(static_cast<std::size_t>(seconds * kSampleRateHz));
@@ -100,7 +100,7 @@ TEST_F(SynthesiserTest, TestsOneLoudspeakerAfterTheOtherAndThenBothOnce) {
 TEST_F(SynthesiserTest, RisesWithTheWheel) {
     double last_hz = 0.0;
     for (const double rev_min : {30.0, 60.0, 120.0, 240.0}) {
-        const double hz = brightness_hz(heard({.wheel_rev_min = rev_min, .volume = 1.0}));
+        const double hz = brightness_hz(heard({.rev_min = rev_min, .volume = 1.0}));
         EXPECT_GT(hz, last_hz + 5.0) << rev_min;
         last_hz = hz;
     }
@@ -183,7 +183,7 @@ TEST_F(SynthesiserTest, NeverClicksHoweverTheSceneJumps) {
 
 TEST_F(SynthesiserTest, StaysWithinItsBoundsWhateverItIsTold) {
     for (const double wild : {1e300, -1e300, std::numeric_limits<double>::infinity(), kNan, -5.0}) {
-        const SoundScene scene{.wheel_rev_min = wild,
+        const SoundScene scene{.rev_min = wild,
                                .motor_load = wild,
                                .contact_n = wild,
                                .slip_mm_s = wild,

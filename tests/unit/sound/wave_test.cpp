@@ -50,7 +50,7 @@ TEST(SoundThroughOpenAl, IsHeardAsItWasMeantAndEndsWithoutAClick) {
 
     SoundOutput sound(make_openal_place());
     ASSERT_TRUE(sound.open());
-    sound.play({.wheel_rev_min = 120.0, .contact_n = 1.0, .slip_mm_s = 700.0, .wetness = 0.8, .volume = 1.0});
+    sound.play({.rev_min = 120.0, .contact_n = 1.0, .slip_mm_s = 700.0, .wetness = 0.8, .volume = 1.0});
     test::comes_true([&] { return sound.status().blocks >= 150; });
     ASSERT_TRUE(sound.status().is_heard) << sound.status().message;
     ASSERT_GE(sound.status().blocks, 150U);

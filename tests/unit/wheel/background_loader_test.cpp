@@ -1,5 +1,5 @@
 // After a change of the window's aspect the backgrounds of that aspect are loaded beside the frames.
-#include "game/wheel/background_loader.h"
+#include "game/wheel/workshop_files.h"
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@ class ABrokenScreen : public testing::Test {
         ASSERT_TRUE(view) << view.error().message;
         view_ = std::move(*view);
     }
-    WheelView shown() const { return {.pot = &pot_, .hand = {.position_mm = {72.0, 100.0, 0.0}}}; }
+    haptic::Snapshot shown() const { return {.tool = {.position_mm = {72.0, 100.0, 0.0}}, .pot = &pot_}; }
     std::vector<std::uint8_t> picture() {
         auto image = view_->read_back();
         EXPECT_TRUE(image) << (image ? "" : image.error().message);

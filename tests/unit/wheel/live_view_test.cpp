@@ -60,7 +60,7 @@ TEST(LiveView, ShowsTheSamePictureAfterAnotherAndBack) {
     const pot::Pot lump{.outer_mm = std::vector<float>(2000, 60.0F), .height_mm = 200.0};
     const pot::Pot thin{.outer_mm = std::vector<float>(2000, 20.0F), .height_mm = 200.0};
     const auto picture = [&](const pot::Pot& pot) {
-        EXPECT_TRUE((*view)->draw({.pot = &pot, .hand = {.position_mm = {90.0, 100.0, 0.0}}}));
+        EXPECT_TRUE((*view)->draw({.tool = {.position_mm = {90.0, 100.0, 0.0}}, .pot = &pot}));
         return (*view)->read_back().value().rgba;
     };
     // Where the shade hardly changes it is kept; drawing both pots removes earlier values.

@@ -1,4 +1,4 @@
-#include "game/wheel/room_model.h"
+#include "game/wheel/workshop.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "game/wheel/systems.h"
 #include "game/wheel/tool_models.h"
 #include "game/wheel/wheel_scene.h"
 #include "tests/support/places.h"
@@ -107,9 +106,8 @@ TEST_F(AShaving, IsNotMadeInAStill) {
 TEST_F(AShaving, IsSeenBesideTheTrimmerAtAPotThatHasDried) {
     pot::Pot pot{.outer_mm = {60.0F, 60.0F, 60.0F}, .top_mm = {30.0F, 60.0F, 90.0F}, .height_mm = 90.0};
     pot.stage = clay::Firing::kDry;
-    WheelView shown{.pot = &pot,
-                    .hand = {.position_mm = {70.0, 80.0, 0.0}, .tool = clay::StudioTool::kTrimmer},
-                    .shaved_at_mm = {60.0, 80.0, 0.0}};
+    const haptic::Snapshot shown{.tool = {.position_mm = {70.0, 80.0, 0.0}, .tool = tool::Tool::kTrimmer},
+                                 .pot = &pot};
     WheelScene scene;
     const auto library = load_tool_models(test::in_checkout("assets/tools"));
     ASSERT_TRUE(library) << library.error().message;
@@ -124,10 +122,10 @@ TEST_F(AShaving, IsSeenBesideTheTrimmerAtAPotThatHasDried) {
         scene.apply(shown, 1280, 720, kEveryS);
     EXPECT_EQ(shows(ToolModel::kTrimmer), 1U);
     EXPECT_EQ(shows(ToolModel::kCurl), 0U);
-    shown.shaved_mm3 = 3.5 * Shavings::kCurlMm3;
+    scene.shave(3.5 * Shavings::kCurlMm3, {60.0, 80.0, 0.0});
     EXPECT_EQ(shows(ToolModel::kCurl), 3U);
     EXPECT_EQ(shows(ToolModel::kRib), 0U);
-    shown.rib_on_bench = true;
+    scene.lay_on_bench(ToolModel::kRib, true);
     EXPECT_EQ(shows(ToolModel::kRib), 1U);
 }
 

@@ -7,26 +7,26 @@
 namespace onggi::wheel {
 namespace {
 
-using clay::StudioTool;
-using clay::studio::Side;
+using tool::Side;
+using tool::Tool;
 
 constexpr double kFrameS = 1.0 / 60.0;
 
 // A hand at the right of a wall of radius 70 mm.
-ToolSight outside() {
-    return {.centre_mm = {80.0, 100.0, 0.0}, .radius_mm = 10.0, .side = Side::kOut, .touching = true};
+DrawnHand outside() {
+    return {.position_mm = {80.0, 100.0, 0.0}, .radius_mm = 10.0, .side = Side::kOut, .touching = true};
 }
-ToolSight inside(double mouth_radius_mm = 70.0) {
-    return {.centre_mm = {54.0, 100.0, 0.0},
+DrawnHand inside(double mouth_radius_mm = 70.0) {
+    return {.position_mm = {54.0, 100.0, 0.0},
             .radius_mm = 10.0,
             .side = Side::kIn,
             .touching = true,
             .mouth_radius_mm = mouth_radius_mm,
-            .is_assistant = true};
+            .is_second = true};
 }
-ToolPose settled(const ToolSight& sight) {
+ToolPose settled(const DrawnHand& hand) {
     ToolPose pose;
-    pose.follow(sight, 0.0);
+    pose.follow(hand, 0.0);
     return pose;
 }
 // The point where the model touches the clay, and its direction away from the clay.
@@ -52,8 +52,8 @@ TEST(ToolPose, TouchesTheWallWhereTheBallDoes) {
 }
 
 TEST(ToolPose, GivesEachSideOfThePotItsOwnHand) {
-    ToolSight left = outside();
-    left.centre_mm.x = -left.centre_mm.x;
+    DrawnHand left = outside();
+    left.position_mm.x = -left.position_mm.x;
     EXPECT_FALSE(settled(outside()).picture().tools.at(0).left);
     EXPECT_TRUE(settled(left).picture().tools.at(0).left);
     EXPECT_TRUE(settled(inside()).picture().tools.at(0).left)
@@ -63,9 +63,9 @@ TEST(ToolPose, GivesEachSideOfThePotItsOwnHand) {
 TEST(ToolPose, NeverStandsBetweenTheVisitorAndWhatIsTouched) {
     for (int degree = 0; degree < 360; degree += 5) {
         const double angle = degree * 3.14159265358979 / 180.0;
-        ToolSight sight = outside();
-        sight.centre_mm = {80.0 * std::cos(angle), 100.0, 80.0 * std::sin(angle)};
-        const ToolPicture picture = settled(sight).picture();
+        DrawnHand hand = outside();
+        hand.position_mm = {80.0 * std::cos(angle), 100.0, 80.0 * std::sin(angle)};
+        const ToolPicture picture = settled(hand).picture();
         // The visitor looks along -Z: a tool that leads out of the clay mostly towards +Z would be in the
         // way.
         EXPECT_LT(way_out_of(picture.tools.at(0)).z, 0.45F) << degree;
@@ -74,8 +74,8 @@ TEST(ToolPose, NeverStandsBetweenTheVisitorAndWhatIsTouched) {
 
 TEST(ToolPose, FollowsAStepWithinAFewFrames) {
     ToolPose pose = settled(outside());
-    ToolSight moved = outside();
-    moved.centre_mm.y += 20.0;
+    DrawnHand moved = outside();
+    moved.position_mm.y += 20.0;
     pose.follow(moved, kFrameS);
     const float first = touch_of(pose.picture().tools.at(0)).y;
     EXPECT_GT(first, 110.0F) << "a hand that lags is not where it is felt";
@@ -86,9 +86,9 @@ TEST(ToolPose, FollowsAStepWithinAFewFrames) {
 }
 
 TEST(ToolPose, EasesInTimeAndNotInFrames) {
-    ToolSight moved = outside();
+    DrawnHand moved = outside();
     moved.wall_lean = 0.5;
-    moved.centre_mm.y += 9.0;
+    moved.position_mm.y += 9.0;
     ToolPose coarse = settled(outside());
     ToolPose fine = settled(outside());
     coarse.follow(moved, 0.1);
@@ -101,53 +101,53 @@ TEST(ToolPose, EasesInTimeAndNotInFrames) {
 }
 
 TEST(ToolPose, LeansWithTheWall) {
-    ToolSight sight = outside();
-    sight.wall_lean = 0.4;  // wider above: the wall faces downwards
-    EXPECT_LT(way_out_of(settled(sight).picture().tools.at(0)).y, -0.1F);
-    sight.wall_lean = -0.4;
-    EXPECT_GT(way_out_of(settled(sight).picture().tools.at(0)).y, 0.1F);
-    sight.wall_lean = 1e9;
-    EXPECT_GT(way_out_of(settled(sight).picture().tools.at(0)).y, -0.55F) << "no wrist bends further";
+    DrawnHand hand = outside();
+    hand.wall_lean = 0.4;  // wider above: the wall faces downwards
+    EXPECT_LT(way_out_of(settled(hand).picture().tools.at(0)).y, -0.1F);
+    hand.wall_lean = -0.4;
+    EXPECT_GT(way_out_of(settled(hand).picture().tools.at(0)).y, 0.1F);
+    hand.wall_lean = 1e9;
+    EXPECT_GT(way_out_of(settled(hand).picture().tools.at(0)).y, -0.55F) << "no wrist bends further";
 }
 
 TEST(ToolPose, KeepsWhatTrimsAFootAboveTheWheel) {
-    ToolSight sight = outside();
-    sight.kind = StudioTool::kTrimmer;
-    sight.wall_lean = 1.5;  // of a bowl, right above its foot
+    DrawnHand hand = outside();
+    hand.tool = tool::Tool::kTrimmer;
+    hand.wall_lean = 1.5;  // of a bowl, right above its foot
     for (const double y_mm : {8.0, 12.0, 20.0, 40.0}) {
-        sight.centre_mm.y = y_mm;
-        const ShownTool tool = settled(sight).picture().tools.at(0);
+        hand.position_mm.y = y_mm;
+        const ShownTool tool = settled(hand).picture().tools.at(0);
         const vec4 end_of_handle(125.0F, -64.0F, 72.0F, 1.0F);  // assets/tools/maker/tools.py
         EXPECT_GT(vec3(tool.place * end_of_handle).y, 5.0F) << y_mm;
     }
 }
 
 TEST(ToolPose, HoldsWhatItWorksWith) {
-    ToolSight sight = outside();
-    sight.kind = StudioTool::kRib;
-    const ToolPicture rib = settled(sight).picture();
+    DrawnHand hand = outside();
+    hand.tool = tool::Tool::kRib;
+    const ToolPicture rib = settled(hand).picture();
     ASSERT_EQ(rib.tools.size(), 2U);
     EXPECT_EQ(rib.tools[0].model, ToolModel::kRib);
     EXPECT_EQ(rib.tools[1].model, ToolModel::kHandOuter);
     EXPECT_GT(touch_of(rib.tools[1]).x, touch_of(rib.tools[0]).x + 10.0F);
-    sight.kind = StudioTool::kSponge;
-    EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kSponge);
-    sight.kind = StudioTool::kTrimmer;
-    EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kTrimmer);
+    hand.tool = tool::Tool::kSponge;
+    EXPECT_EQ(settled(hand).picture().tools.at(0).model, ToolModel::kSponge);
+    hand.tool = tool::Tool::kTrimmer;
+    EXPECT_EQ(settled(hand).picture().tools.at(0).model, ToolModel::kTrimmer);
 }
 
 // A stick that leaned as the belly of a vase does stood through its neck.
 TEST(ToolPose, ReachesThroughTheMouthAndNotThroughTheWallBesideIt) {
-    ToolSight sight = inside(30.0);
-    sight.guided = true;
-    sight.radius_mm = 10.0;
-    sight.centre_mm = {26.0, 30.0, 0.0};
-    sight.below_rim_mm = 100.0;
+    DrawnHand hand = inside(30.0);
+    hand.guided = true;
+    hand.radius_mm = 10.0;
+    hand.position_mm = {26.0, 30.0, 0.0};
+    hand.below_rim_mm = 100.0;
     for (const double touch_mm : {20.0, 36.0, 50.0}) {
         for (const double wall_lean : {-0.5, 0.0, 0.8}) {
-            sight.centre_mm.x = touch_mm - sight.radius_mm;
-            sight.wall_lean = wall_lean;
-            const ShownTool stick = settled(sight).picture().tools.at(0);
+            hand.position_mm.x = touch_mm - hand.radius_mm;
+            hand.wall_lean = wall_lean;
+            const ShownTool stick = settled(hand).picture().tools.at(0);
             ASSERT_EQ(stick.model, ToolModel::kStick);
             const vec3 up(stick.place[1]);
             ASSERT_GT(up.y, 0.5F);
@@ -178,7 +178,7 @@ TEST(ToolPose, ComesAndGoesInsteadOfAppearing) {
         away = pose.away_mm();
     }
     EXPECT_LT(away, 0.5);
-    ToolSight gone = outside();
+    DrawnHand gone = outside();
     gone.shown = false;
     pose.follow(gone, kFrameS);
     EXPECT_FALSE(pose.picture().tools.empty());
@@ -190,9 +190,9 @@ TEST(ToolPose, ComesAndGoesInsteadOfAppearing) {
 
 TEST(ToolPose, KeepsItsHandNearTheAxisWhereSidesMeanNothing) {
     ToolPose pose = settled(outside());
-    ToolSight middle = outside();
+    DrawnHand middle = outside();
     for (const double x : {10.0, 1.0, -1.0, -10.0, 0.0}) {
-        middle.centre_mm.x = x;
+        middle.position_mm.x = x;
         pose.follow(middle, kFrameS);
         EXPECT_FALSE(pose.picture().tools.at(0).left) << x;
     }
@@ -200,10 +200,10 @@ TEST(ToolPose, KeepsItsHandNearTheAxisWhereSidesMeanNothing) {
 
 // The guided hand of a finger that jumps to the other side of the pot.
 TEST(ToolPose, GoesAndComesAgainWhereAFingerLeapsAcrossTheClay) {
-    ToolSight right = outside();
+    DrawnHand right = outside();
     right.guided = true;
-    ToolSight left = right;
-    left.centre_mm.x = -left.centre_mm.x;
+    DrawnHand left = right;
+    left.position_mm.x = -left.position_mm.x;
     ToolPose pose = settled(right);
     vec3 last = touch_of(pose.picture().tools.at(0));
     bool was_left = false;
@@ -225,14 +225,14 @@ TEST(ToolPose, GoesAndComesAgainWhereAFingerLeapsAcrossTheClay) {
 }
 
 TEST(ToolPose, TakesItsTimeWhereAFingerOnlyHovers) {
-    ToolSight works = outside();
+    DrawnHand works = outside();
     works.guided = true;
-    ToolSight hovers = works;
+    DrawnHand hovers = works;
     hovers.touching = false;
     ToolPose working = settled(works);
     ToolPose hovering = settled(hovers);
-    works.centre_mm.y += 20.0;
-    hovers.centre_mm.y += 20.0;
+    works.position_mm.y += 20.0;
+    hovers.position_mm.y += 20.0;
     working.follow(works, kFrameS);
     hovering.follow(hovers, kFrameS);
     EXPECT_GT(touch_of(working.picture().tools.at(0)).y, touch_of(hovering.picture().tools.at(0)).y + 3.0F);
@@ -240,21 +240,21 @@ TEST(ToolPose, TakesItsTimeWhereAFingerOnlyHovers) {
 }
 
 TEST(ToolPose, DigsStraightDownAndLiesFlatOnARim) {
-    ToolSight sight = outside();
-    sight.guided = true;
-    sight.side = Side::kTop;
-    EXPECT_LT(way_out_of(settled(sight).picture().tools.at(0)).y, 0.5F);
-    sight.digs = true;
-    EXPECT_GT(way_out_of(settled(sight).picture().tools.at(0)).y, 0.95F);
+    DrawnHand hand = outside();
+    hand.guided = true;
+    hand.side = Side::kTop;
+    EXPECT_LT(way_out_of(settled(hand).picture().tools.at(0)).y, 0.5F);
+    hand.digs = true;
+    EXPECT_GT(way_out_of(settled(hand).picture().tools.at(0)).y, 0.95F);
 }
 
 TEST(ToolPose, HoldsANarrowRimWithFingerTipsAndNoStick) {
-    ToolSight sight = inside(34.0);
-    sight.guided = true;
-    sight.below_rim_mm = 3.0;
-    EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kHandInner);
-    sight.below_rim_mm = 60.0;
-    EXPECT_EQ(settled(sight).picture().tools.at(0).model, ToolModel::kStick);
+    DrawnHand hand = inside(34.0);
+    hand.guided = true;
+    hand.below_rim_mm = 3.0;
+    EXPECT_EQ(settled(hand).picture().tools.at(0).model, ToolModel::kHandInner);
+    hand.below_rim_mm = 60.0;
+    EXPECT_EQ(settled(hand).picture().tools.at(0).model, ToolModel::kStick);
 }
 
 TEST(ToolPose, CastsAShadowWithoutAModelOfIts) {

@@ -5,18 +5,19 @@
 #include <algorithm>
 
 #include "game/wheel/components.h"
+#include "tests/support/places.h"
 
 namespace onggi::wheel {
 namespace {
 
 class TheWheelScene : public testing::Test {
   protected:
-    const render::Scene& show(const WheelView& shown, int width = 1280, int height = 720) {
+    const render::Scene& show(const haptic::Snapshot& shown, int width = 1280, int height = 720) {
         return scene_.apply(shown, width, height);
     }
 
     pot::Pot pot_{.outer_mm = {60.0F, 55.0F, 50.0F, 58.0F}, .height_mm = 200.0};
-    WheelView shown_{.pot = &pot_, .hand = {.position_mm = {70.0, 90.0, 5.0}, .radius_mm = 12.0}};
+    haptic::Snapshot shown_{.tool = {.position_mm = {70.0, 90.0, 5.0}, .radius_mm = 12.0}, .pot = &pot_};
     WheelScene scene_;
 };
 
@@ -43,13 +44,13 @@ TEST_F(TheWheelScene, PutsTheToolWhereTheHandIs) {
     }
     EXPECT_LT(glm::length(seen.low - vec3(58.0F, 78.0F, -7.0F)), 0.1F);
     EXPECT_LT(glm::length(seen.high - vec3(82.0F, 102.0F, 17.0F)), 0.1F);
-    shown_.hand.shown = false;
+    scene_.show_hands(false);
     EXPECT_TRUE(show(shown_).spheres.empty());
     EXPECT_TRUE(show(shown_).props.empty());
 }
 
 TEST_F(TheWheelScene, HasNoHandBesideAPotThatIsNoLongerWet) {
-    shown_.second_hand.shown = true;
+    shown_.result.has_second = true;
     for (const clay::Firing stage : {clay::Firing::kDry, clay::Firing::kBisque, clay::Firing::kGlaze}) {
         pot_.stage = stage;
         EXPECT_TRUE(show(shown_).props.empty());
@@ -68,7 +69,7 @@ TEST_F(TheWheelScene, ComesOutOfItsEntitiesAndNowhereElse) {
     ecs::Registry& registry = scene_.registry();
     registry.get<Clay>(scene_.clay()).edge_rounding_mm = 0.9F;
     EXPECT_EQ(show(shown_).lathe->edge_rounding_mm, 0.9F);
-    registry.destroy(scene_.tool());
+    registry.destroy(scene_.hand());
     EXPECT_TRUE(show(shown_).spheres.empty());
     registry.destroy(scene_.clay());
     EXPECT_FALSE(show(shown_).lathe);
@@ -118,20 +119,87 @@ TEST_F(TheWheelScene, PutsTheToolUnderThePointer) {
     for (const dvec2 pixel : {dvec2(640, 300), dvec2(820, 120), dvec2(410, 480)}) {
         const auto place = scene_.tool_target_mm(pixel.x, pixel.y, 1280, 720);
         ASSERT_TRUE(place);
-        shown_.hand.position_mm = *place;
+        shown_.tool.position_mm = *place;
         const auto seen = render::project(show(shown_).camera, 1280, 720, *place);
         EXPECT_NEAR(seen->pixel.x, pixel.x, 1e-3);
         EXPECT_NEAR(seen->pixel.y, pixel.y, 1e-3);
     }
 }
 
-TEST(WheelSchedule, ReceivesBeforeItExtracts) {
-    const auto names = wheel_schedule().names();
-    const auto place_of = [&](std::string_view name) { return std::find(names.begin(), names.end(), name); };
-    for (const std::string_view received : {"receive clay", "receive wheel", "receive tools"}) {
-        ASSERT_NE(place_of(received), names.end());
-        EXPECT_LT(place_of(received), place_of("extract camera"));
+class APotApart : public TheWheelScene {
+  protected:
+    APotApart() {
+        shown_.wheel_direction = {0.6, 0.8};
+        shown_.tool.wire = tool::Wire::kCutOff;
+        scene_.set_tools(load_tool_models(test::in_checkout("assets/tools")).value());
     }
+    bool shows_wire() {
+        const std::vector<render::Prop>& props = show(shown_).props;
+        return std::any_of(props.begin(), props.end(), [](const render::Prop& prop) {
+            return prop.model == library_place(ToolModel::kWire, false);
+        });
+    }
+
+    pot::Pot dry_{.outer_mm = {40.0F, 45.0F}, .height_mm = 90.0, .stage = clay::Firing::kDry};
+    render::LatheMaterial material_{.albedo = vec3(0.1F, 0.2F, 0.3F)};
+    render::LatheMarks marks_;
+    ecs::Entity entity_;
+};
+
+TEST_F(APotApart, IsSeenOnTheWheelUntilItIsTakenDown) {
+    scene_.put_on_wheel(entity_, {.pot = &dry_, .material = &material_, .marks = &marks_},
+                        {.direction = dvec2(1.0, 0.0)});
+    const render::Lathe lathe = *show(shown_).lathe;
+    EXPECT_EQ(lathe.radii_mm.data(), dry_.outer_mm.data());
+    EXPECT_EQ(lathe.material, material_);
+    EXPECT_EQ(lathe.marks, &marks_);
+    EXPECT_EQ(lathe.turn, vec2(1.0F, 0.0F));
+    EXPECT_FALSE(shows_wire()) << "it cuts another pot";
+    scene_.put_on_wheel(entity_, {.pot = &dry_});
+    EXPECT_EQ(show(shown_).lathe->turn, vec2(0.6F, 0.8F)) << "with the wheel";
+    scene_.registry().destroy(entity_);
+    EXPECT_EQ(show(shown_).lathe->radii_mm.data(), pot_.outer_mm.data());
+    EXPECT_TRUE(shows_wire());
+}
+
+TEST_F(APotApart, IsNotSeenWhileItStandsBesideTheWheel) {
+    entity_ = scene_.registry().create();
+    scene_.registry().add(entity_, PotApart{.pot = &dry_});
+    EXPECT_EQ(show(shown_).lathe->radii_mm.data(), pot_.outer_mm.data());
+}
+
+TEST_F(APotApart, IsHeldOverTheClay) {
+    pot_.top_mm = {50.0F, 100.0F, 150.0F, 200.0F};
+    dry_.top_mm = {45.0F, 90.0F};
+    for (pot::Pot* pot : {&pot_, &dry_}) {
+        pot->centre_mm.assign(pot->outer_mm.size(), vec2(0.0F));
+        pot->film.assign(pot->outer_mm.size(), 0.0F);
+        pot->liquidity.assign(pot->outer_mm.size(), 0.0F);
+        pot->load_index.assign(pot->outer_mm.size(), 0.0F);
+    }
+    entity_ = scene_.registry().create();
+    scene_.registry().add(entity_, PotApart{.pot = &dry_});
+    scene_.registry().add(entity_, HeldOver{});
+    static_cast<void>(show(shown_));
+    EXPECT_DOUBLE_EQ(scene_.seen().pot->height_mm, pot_.height_mm + dry_.height_mm);
+}
+
+TEST_F(TheWheelScene, HoldsTheWireInsteadOfTheHands) {
+    scene_.set_tools(load_tool_models(test::in_checkout("assets/tools")).value());
+    pot_.top_mm = {50.0F, 100.0F, 150.0F, 200.0F};
+    scene_.hold_wire(120.0);
+    const std::vector<render::Prop>& props = show(shown_).props;
+    ASSERT_EQ(props.size(), 1U);
+    EXPECT_EQ(props[0].model, library_place(ToolModel::kWire, false));
+    EXPECT_EQ(props[0].place[3].y, 120.0F);
+}
+
+TEST_F(TheWheelScene, FollowsTheProgramsHandsInsteadOfTheLoops) {
+    scene_.lead_hands(std::array{DrawnHand{.position_mm = {10.0, 20.0, 30.0}}, DrawnHand{.shown = false}});
+    ASSERT_EQ(show(shown_).spheres.size(), 1U);
+    EXPECT_EQ(show(shown_).spheres[0].centre_mm, vec3(10.0F, 20.0F, 30.0F));
+    scene_.lead_hands(std::nullopt);
+    EXPECT_EQ(show(shown_).spheres[0].centre_mm, vec3(70.0F, 90.0F, 5.0F));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/core/result.h"
-#include "engine/record/session.h"
 #include "game/haptic/history.h"
+#include "game/record/session.h"
 
 namespace onggi::app {
 

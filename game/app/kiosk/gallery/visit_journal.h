@@ -1,5 +1,5 @@
 // Writes the visit in progress to the disk, so that a crash or a power cut does not lose the pot: a session
-// (engine/record) that grows block by block and is synced once a second. Any one thread at a time but the
+// (game/record) that grows block by block and is synced once a second. Any one thread at a time but the
 // haptic one and the frame's; blocks.
 #pragma once
 
@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "engine/core/result.h"
-#include "engine/record/session_writer.h"
 #include "game/haptic/history.h"
+#include "game/record/session_writer.h"
 
 namespace onggi::app {
 

@@ -12,6 +12,7 @@
 #include "engine/core/cells.h"
 #include "engine/core/number_in.h"
 #include "engine/files/append_line.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
 namespace {
@@ -60,10 +61,10 @@ void for_each_line(const fs::path& file, const std::string& day, std::size_t cel
 }  // namespace
 
 Result<void> note_visit(const fs::path& folder, const VisitNote& note, std::int64_t now_s) {
-    return append(
-        folder, kVisits, "day,hour,dwell_s,ended_on,thrown,kept",
-        fmt::format(",{},{},{},{}", note.dwell_s, kiosk::name_of(note.last), note.thrown ? 1 : 0, note.kept),
-        now_s);
+    return append(folder, kVisits, "day,hour,dwell_s,ended_on,thrown,kept",
+                  fmt::format(",{},{},{},{}", note.dwell_s, visit::step_of(note.last).name,
+                              note.thrown ? 1 : 0, note.kept),
+                  now_s);
 }
 
 Result<void> note_attract_break(const fs::path& folder, std::int64_t now_s) {

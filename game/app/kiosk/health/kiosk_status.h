@@ -13,7 +13,7 @@ namespace onggi::app {
 
 // The main thread's view of the program's state.
 struct KioskPulse {
-    std::string screen{};               // of kiosk::name_of()
+    std::string screen{};               // the name of its visit::Step
     bool is_closed = false;             // the opening hours are over, and there is no visitor
     std::string fault{};                // latched by the safety chain, in words; may be empty
     std::uint64_t faults = 0;           // since the start

@@ -12,7 +12,6 @@
 #include "engine/files/atomic_folder.h"
 #include "engine/files/read_file.h"
 #include "engine/jobs/thread_setup.h"
-#include "engine/record/session_format.h"
 #include "game/app/kiosk/health/house_status.h"
 #include "game/app/kiosk/health/kiosk_health.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
@@ -20,6 +19,7 @@
 #include "game/app/system/wall_clock.h"
 #include "game/decoration/stroke.h"
 #include "game/haptic/pot_copy.h"
+#include "game/record/session_format.h"
 
 namespace onggi::app {
 namespace {
@@ -29,13 +29,13 @@ constexpr double kBeforeCollapseS = 2.0;
 constexpr int kMostRecordsARound = 4000;
 constexpr int kPortraitPx = 1024;
 
-// A visit goes from one thing to another, and what the one took is not needed for the other.
+// Returns freed memory to the system when a visit goes on to another kind of work.
 void give_back_memory() {
     jobs::give_back_freed_memory();
     jobs::give_back_code();
 }
 
-using kiosk::Event;
+namespace event = kiosk::event;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ Result<void> KioskKeeper::start() {
 std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
     const bool more = follow();
     while (const auto task = tasks_.next()) {
-        // What was done up to now has to be known before it is taken back.
+        // Takes all records first, so that the undo starts from the present state.
         while (follow()) {
         }
         (*task)();
@@ -75,7 +75,7 @@ std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
 }
 
 void KioskKeeper::finish() noexcept {
-    // What the visitor did last is still in the ring.
+    // Takes the visitor's last records from the ring.
     while (follow()) {
     }
     write_journal(0);
@@ -83,7 +83,7 @@ void KioskKeeper::finish() noexcept {
     if (heartbeat_) complain(heartbeat_->end(wall_clock_s()));
 }
 
-// True when more records wait.
+// Returns true if more records are waiting.
 bool KioskKeeper::follow() {
     haptic::BlockHash hash;
     while (job_.take_hash(hash)) {
@@ -101,7 +101,7 @@ bool KioskKeeper::follow() {
         }
         take_arriving(record);
         history_.add(record);
-        // What cannot be kept is no reason to stop the wheel.
+        // A fault's session that cannot be kept does not stop the wheel.
         const auto report = faults_.look(record, history_);
         if (report && *report)
             complain(fmt::format("fault: session kept as {}, for onggi replay", (*report)->string()));
@@ -109,12 +109,12 @@ bool KioskKeeper::follow() {
     return true;
 }
 
-// True while there is more of it.
+// Returns true while there is more work.
 bool KioskKeeper::work_out_interrupted_session() {
     if (!has_looked_) {
         has_looked_ = true;
         gallery_.clear_parts();
-        files::clear_parts(statistics_);  // which may lie elsewhere
+        files::clear_parts(statistics_);  // may be elsewhere
         std::vector<std::string> remarks;
         jar_.look(remarks);
         tell_all(std::move(remarks));
@@ -150,14 +150,14 @@ void KioskKeeper::remove_interrupted_session() {
 void KioskKeeper::write_journal(std::int64_t now_ns) {
     if (!journalled_run_ || run_ != *journalled_run_ || is_put_) return;
     if (const auto written = journal_.follow(history_, now_ns); !written) complain(written);
-    // Its visit goes on in the journal now.
+    // The journal now contains the resumed visit.
     if (was_resumed_ && journal_.has_caught_up()) {
         was_resumed_ = false;
         InterruptedSession::remove(visits_);
     }
 }
 
-// The pot is on the shelf, or its visitor has gone.
+// Ends the journal when the pot is on the shelf or the visitor has left.
 void KioskKeeper::end_journal() {
     journalled_run_.reset();
     journal_.drop();
@@ -200,7 +200,7 @@ void KioskKeeper::go_before(std::uint64_t tick) {
 
 void KioskKeeper::cut_off() {
     tasks_.post([this] {
-        give_back_memory();  // of throwing, and of a look into the pot
+        give_back_memory();  // of throwing and of the view into the pot
         const clay::StudioClay* const clay = history_.state().studio();
         if (clay == nullptr) return;
         cut_ = std::make_shared<const clay::StudioClay>(*clay);
@@ -209,7 +209,7 @@ void KioskKeeper::cut_off() {
     });
 }
 
-// Of a pot that is saved, or whose visitor has gone, nothing is kept.
+// Drops the decoration of a saved pot, or of a visitor who has left.
 void KioskKeeper::keep_drawing(std::vector<std::byte> drawn) {
     tasks_.post([this, drawn = std::move(drawn)] {
         if (journalled_run_) complain(files::write_file_atomically(drawing_place(), drawn));
@@ -222,15 +222,15 @@ void KioskKeeper::forget() {
         end_journal();
         arriving_.reset();
         jar_.forget();
-        give_back_memory();  // of a visit
+        give_back_memory();  // of the last visit
     });
 }
 
 void KioskKeeper::journal(std::uint64_t run) {
     tasks_.post([this, run] {
-        is_put_ = false;  // if it still is on its way, the new lump was before it
+        is_put_ = false;  // if it is still on its way, the new lump overtook it
         journalled_run_ = run;
-        give_back_memory();  // of the screens before
+        give_back_memory();  // of the previous screens
     });
 }
 
@@ -272,12 +272,12 @@ void KioskKeeper::complain(std::string words) {
     answer({.words = std::move(words), .is_trouble = true});
 }
 
-// What could not be written down is said, and no more.
+// A failed write is only reported.
 void KioskKeeper::complain(const Result<void>& done) {
     if (!done) complain(done.error().message);
 }
 
-// A disk that was unplugged or a folder that was moved is said once, and again when it goes another time.
+// Reports an unplugged disk or moved folder once each time it disappears.
 void KioskKeeper::look_at_the_gallery() {
     std::error_code error;
     const bool is_there = std::filesystem::exists(gallery_.folder(), error);
@@ -298,7 +298,7 @@ void KioskKeeper::answer_survey() {
     }
     for (KeptPot& pot : pots)
         found.pots.push_back(std::move(pot.name));
-    // Once, not with every look at the panel.
+    // Reports an error once, not with every survey.
     if (trouble != gallery_trouble_ && !trouble.empty()) complain("gallery: " + trouble);
     gallery_trouble_ = std::move(trouble);
     answer({.what = std::move(found)});
@@ -320,7 +320,7 @@ void KioskKeeper::remove(std::string pot) {
     });
 }
 
-// At the start for what an earlier one left; then for midnight.
+// At the start, restores the day's wall; later, watches for midnight.
 void KioskKeeper::look_at_the_wall(std::int64_t now_ns) {
     constexpr std::int64_t kEveryNs = 60'000'000'000;
     if (looked_at_wall_ns_ && now_ns - *looked_at_wall_ns_ < kEveryNs) return;
@@ -333,7 +333,7 @@ void KioskKeeper::look_at_the_wall(std::int64_t now_ns) {
     }
 }
 
-// What was changed is seen, whether or not the disk took it.
+// Shows the change even if writing it failed.
 void KioskKeeper::show_wall(const Result<void>& changed) {
     complain(changed);
     auto seen = std::make_shared<std::vector<screens::ShelfPot>>();
@@ -365,7 +365,7 @@ void KioskKeeper::write_session(std::filesystem::path place) {
 void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
     tasks_.post([this, shape = std::move(shape), glaze] {
         if (!cut_ || shape == nullptr) return;
-        history_.let_go_of_states();  // a pot that is fired is no clay again
+        history_.let_go_of_states();  // a fired pot cannot be undone
         give_back_memory();
         PotToKeep pot{.history = &history_,
                       .clay = cut_.get(),
@@ -385,18 +385,17 @@ void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
             answer({.what = KeeperAnswer::Saved{*number, name},
                     .words = fmt::format("kept {}", (gallery_.folder() / name).string())});
         } else {
-            answer({.what = kiosk::Event{kiosk::Event::Kind::kSaveFailed},
+            answer({.what = kiosk::Event{event::SaveFailed{}},
                     .words = number.error().message,
                     .is_trouble = true});
         }
-        give_back_memory();  // of what was made for the files
+        give_back_memory();  // of making the files
     });
 }
 
-// What follows is done where one clay gives way to another: undoing, a jar's bowls, an interrupted visit and
-// its drawing.
+// Operations that replace the clay: undo, a jar's bowls, an interrupted visit and its decoration.
 
-// True while there is more of the bowls of an interrupted jar to be worked out.
+// Returns true while bowls of an interrupted jar are still to be replayed.
 bool KioskKeeper::find_interrupted_session() {
     const auto more = jar_.restore(kInterruptedSessionTicksARound);
     if (more && *more) return true;
@@ -434,11 +433,11 @@ void KioskKeeper::tell_all(std::vector<std::string> remarks) {
 
 void KioskKeeper::undo() {
     tasks_.post([this] {
-        if (arriving_) return;  // what it would take back is not there yet
+        if (arriving_) return;  // the clay to undo has not arrived yet
         if (const auto tick = history_.before_last_move(); tick && *tick >= trimmed_from_.value_or(0)) {
             put_state_at(*tick);
         } else {
-            answer(Event::Kind::kUndoneAll);
+            answer_by(event::UndoneAll{});
         }
     });
 }
@@ -449,16 +448,15 @@ void KioskKeeper::begin_jar(std::string target) {
 
 void KioskKeeper::set_aside() {
     tasks_.post([this] {
-        if (arriving_) return answer(Event::Kind::kJarStays);
+        if (arriving_) return answer_by(event::JarStays{});
         if (!history_.is_whole() || history_.state().studio() == nullptr)
-            return answer(Event::Kind::kJarStays,
-                          "jar: a tick's record was lost; the bowl stays on the wheel");
+            return answer_by(event::JarStays{}, "jar: a tick's record was lost; the bowl stays on the wheel");
         auto bowl = std::make_shared<const pot::Pot>(haptic::pot_of(history_.state()));
         complain(jar_.set_aside(std::move(history_)));
-        journalled_run_.reset();  // it is on the disk as a whole
+        journalled_run_.reset();  // it is complete on the disk
         journal_.drop();
         complain(jar_.note(JarStage::kSecondBowl));
-        history_ = haptic::History(start_, parameters_, {.aside = visits_});  // new clay is about to come
+        history_ = haptic::History(start_, parameters_, {.aside = visits_});  // new clay comes next
         answer({.what = KeeperAnswer::SetAside{std::move(bowl)}});
     });
 }
@@ -467,26 +465,25 @@ void KioskKeeper::hold_together(double mouth_mm) {
     tasks_.post([this, mouth_mm] {
         const clay::StudioClay* const second = history_.state().studio();
         if (!jar_.has_bowl() || !history_.is_whole() || second == nullptr || arriving_)
-            return answer(Event::Kind::kJarStays);
+            return answer_by(event::JarStays{});
         const auto rims_mm = jar_.rims_mm(*second, mouth_mm);
-        if (!rims_mm) return answer(Event::Kind::kRimsApart, "jar: " + rims_mm.error().message);
-        answer({.what = Event{Event::Kind::kRims, kiosk::Button::kNone,
-                              static_cast<int>(std::lround(*rims_mm))}});
+        if (!rims_mm) return answer_by(event::RimsApart{}, "jar: " + rims_mm.error().message);
+        answer_by(event::Rims{static_cast<int>(std::lround(*rims_mm))});
     });
 }
 
 void KioskKeeper::join_bowls(const JarJoin& join) {
     tasks_.post([this, join] {
-        if (!jar_.has_bowl() || !history_.is_whole() || arriving_) return answer(Event::Kind::kJarStays);
+        if (!jar_.has_bowl() || !history_.is_whole() || arriving_) return answer_by(event::JarStays{});
         auto jar = jar_.join(history_, join);
-        if (!jar) return answer(Event::Kind::kJarStays, "jar: " + jar.error().message);
+        if (!jar) return answer_by(event::JarStays{}, "jar: " + jar.error().message);
         if (!job_.put(std::make_unique<haptic::HapticState>(jar->state()), run_)) {
             history_ = jar_.take_back();
-            return answer(Event::Kind::kJarStays);
+            return answer_by(event::JarStays{});
         }
-        history_ = haptic::History(start_, parameters_, {.aside = visits_});  // until the jar's is there
+        history_ = haptic::History(start_, parameters_, {.aside = visits_});  // until the jar's arrives
         arriving_ = std::move(*jar);
-        answer(Event::Kind::kJoined);
+        answer_by(event::Joined{});
     });
 }
 
@@ -499,7 +496,7 @@ void KioskKeeper::take_back(int bowl) {
     });
 }
 
-// What is on the wheel from that tick on may be of another history than what was there before.
+// From that tick on the clay on the wheel may belong to another history.
 void KioskKeeper::take_arriving(const haptic::TickRecord& record) {
     if ((record.flags & haptic::TickRecord::kFreshLump) != 0) {
         arriving_.reset();
@@ -517,7 +514,7 @@ void KioskKeeper::take_arriving(const haptic::TickRecord& record) {
     complain(jar_.note(is_jar_           ? JarStage::kJar
                        : jar_.has_bowl() ? JarStage::kSecondBowl
                                          : JarStage::kFirstBowl));
-    journal_.drop();  // it began with another clay
+    journal_.drop();  // the old journal began with another clay
     journalled_run_ = run_;
 }
 

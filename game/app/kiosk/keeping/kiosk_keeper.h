@@ -22,7 +22,7 @@
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/haptic/history.h"
 #include "game/haptic/job.h"
-#include "game/kiosk/step.h"
+#include "game/kiosk/events.h"
 #include "game/screens/page/view.h"
 #include "game/screens/pots/pot_picture.h"
 
@@ -84,17 +84,17 @@ class KioskKeeper final : private jobs::IoWork {
     void stop() noexcept { thread_.stop(); }
 
     // Main thread; each is done on the keeper's, once all that was done to the clay up to then is known.
-    // Answered by Event::kUndoneAll where nothing is left to take back.
+    // Answered by event::UndoneAll where nothing is left to take back.
     void undo();
     // The lump that comes is the first bowl of a jar after that pot of a museum.
     void begin_jar(std::string target);
-    // The bowl on the wheel is the first of a jar. Answered by SetAside or Event::kJarStays; new clay may
+    // The bowl on the wheel is the first of a jar. Answered by SetAside or event::JarStays; new clay may
     // come then.
     void set_aside();
-    // How its rim meets that of the bowl on the wheel: Event::kRims, whose value is mm between them, or
-    // kRimsApart.
+    // How its rim meets that of the bowl on the wheel: event::Rims or
+    // event::RimsApart.
     void hold_together(double mouth_mm);
-    // Both become one, on the wheel: Event::kJoined, or kJarStays.
+    // Both become one, on the wheel: event::Joined or event::JarStays.
     void join_bowls(const JarJoin& join);
     // That bowl is on the wheel again as it was: the first one, or of a jar the second. Answered by NotPut
     // where it is not.
@@ -110,7 +110,7 @@ class KioskKeeper final : private jobs::IoWork {
     // All that was done to the pot that was cut off last, as a session at that place; answered by
     // SessionWritten where it is known.
     void write_session(std::filesystem::path place);
-    // Answered by Saved or Event::kSaveFailed.
+    // Answered by Saved or event::SaveFailed.
     void save(std::shared_ptr<const pot::Section> shape, int glaze);
     // A kept pot to the wall of the day, or down from there; all of them. Answered by Wall, as is the start
     // and the end of a day.
@@ -163,8 +163,8 @@ class KioskKeeper final : private jobs::IoWork {
     void look_at_the_gallery();
     void answer_survey();
     void answer(KeeperAnswer answer) { answers_.post(std::move(answer)); }
-    void answer(kiosk::Event::Kind kind, std::string words = {}) {
-        answer({.what = kiosk::Event{kind}, .words = std::move(words)});
+    void answer_by(const kiosk::Event& event, std::string words = {}) {
+        answer({.what = event, .words = std::move(words)});
     }
     void complain(std::string words);
     void complain(const Result<void>& done);

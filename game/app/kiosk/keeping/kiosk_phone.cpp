@@ -25,7 +25,7 @@ constexpr int kPosterPx = 720;
 constexpr int kPosterQuality = 85;
 constexpr int kSurfaceQuality = 80;
 
-// Error correction M: a seventh of it may be in the shade of a lamp.
+// Error correction M, which tolerates about 15 % of unreadable area, such as a lamp's reflection.
 screens::PhoneCode code_of(const std::string& text) {
     const auto qr = qrcodegen::QrCode::encodeText(text.c_str(), qrcodegen::QrCode::Ecc::MEDIUM);
     screens::PhoneCode code{.side = qr.getSize(), .dark = {}};
@@ -58,7 +58,7 @@ Result<void> KioskFilm::begin(const std::filesystem::path& session) {
 void KioskFilm::finish_in(std::string_view glaze, const decoration::Marks* marks) {
     if (!maker_) return;
     std::string words(glaze);
-    // A film of the pot as it was before is a film all the same.
+    // Without the decoration's file the film shows the plain pot.
     const std::filesystem::path place = folder_ / "marks";
     if (marks != nullptr && files::write_file_atomically(place, decoration::bytes_of(marks->recorded)))
         words += ' ' + place.string();
@@ -86,7 +86,7 @@ std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
     return kAsksEveryNs;
 }
 
-// A pot without a film is a pot all the same.
+// A pot is shared also without a film.
 void KioskPhone::film(std::filesystem::path session) {
     tasks_.post([this, session = std::move(session)] {
         unfilmed_.reset();
@@ -136,7 +136,7 @@ void KioskPhone::add_late_film() {
     if (late.is_forgotten) film_.drop();
 }
 
-// Not at the start alone: a folder that comes later, on a disk that is plugged in, is as good.
+// Not only at the start: the folder may appear later, on a disk that is plugged in.
 Result<void> KioskPhone::open() {
     if (outbox_) return {};
     auto opened = sharing::Outbox::open(outbox_options(settings_));
@@ -148,7 +148,7 @@ Result<void> KioskPhone::open() {
 Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
     const kiosk::Config& config = settings_.config;
     if (auto opened = open(); !opened) return opened.error();
-    // Before anything is put there: without an address nobody would find it.
+    // Checked first, because a pot without an address is not reachable.
     const auto base = share_base_url(config);
     if (!base) return base.error();
     const std::filesystem::path folder = std::filesystem::path(config.gallery.folder) / kept.gallery_name;
@@ -182,10 +182,10 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
 void KioskPhone::share_now(const PotToShare& kept) {
     auto way = shared(kept);
     if (!way)
-        return answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShareFailed, kept.gallery_name},
+        return answer({.what = PhoneAnswer::OfPot{kiosk::ShareOutcome::kFailed, kept.gallery_name},
                        .words = "sharing: " + way.error().message});
     note({.codes = 1});
-    answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShared, kept.gallery_name,
+    answer({.what = PhoneAnswer::OfPot{kiosk::ShareOutcome::kReady, kept.gallery_name,
                                        std::make_shared<const screens::PhoneWay>(std::move(*way))}});
 }
 
@@ -194,13 +194,13 @@ void KioskPhone::withdraw(std::string gallery_name) {
         if (auto opened = open(); !opened) return;
         const auto gone = outbox_->withdraw_named(name);
         if (!gone) return answer({.words = "sharing: " + gone.error().message});
-        if (*gone) answer({.what = PhoneAnswer::OfPot{kiosk::Event::Kind::kShareOver, name}});
+        if (*gone) answer({.what = PhoneAnswer::OfPot{kiosk::ShareOutcome::kOver, name}});
     });
 }
 
 void KioskPhone::survey() {
     tasks_.post([this] {
-        if (auto opened = open(); !opened) return;  // said when somebody wants it
+        if (auto opened = open(); !opened) return;  // reported with the next request
         const auto entries = outbox_->list();
         if (!entries) return answer({.words = "sharing: " + entries.error().message});
         PhoneAnswer::Survey found;
@@ -222,7 +222,7 @@ void KioskPhone::look_after() {
 }
 
 void KioskPhone::expire() {
-    if (auto opened = open(); !opened) return;  // said when somebody wants it
+    if (auto opened = open(); !opened) return;  // reported with the next request
     const auto gone = outbox_->expire(share_time_now(settings_.config).now_s);
     if (!gone) answer({.words = "sharing: " + gone.error().message});
 }
@@ -244,7 +244,7 @@ void KioskPhone::count_opened() {
           .films = counts[ShareEvent::kFilmTaken]});
 }
 
-// What could not be written down is said, and no more.
+// A failed write is only reported.
 void KioskPhone::note(const PhoneNote& phones) {
     if (const auto noted = note_phones(statistics_folder(settings_.config), phones); !noted)
         answer({.words = noted.error().message});

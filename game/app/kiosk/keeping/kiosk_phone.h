@@ -21,7 +21,7 @@
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/decoration/canvas.h"
-#include "game/kiosk/step.h"
+#include "game/kiosk/events.h"
 #include "game/screens/page/view.h"
 #include "game/sharing/open_counter.h"
 #include "game/sharing/outbox.h"
@@ -86,11 +86,11 @@ struct PotToShare {
 };
 
 struct PhoneAnswer {
-    // What became of a pot's code: kShared, kShareFailed or kShareOver.
+    // What became of a pot's code.
     struct OfPot {
-        kiosk::Event::Kind event = kiosk::Event::Kind::kShared;
+        kiosk::ShareOutcome outcome = kiosk::ShareOutcome::kReady;
         std::string gallery_name;
-        std::shared_ptr<const screens::PhoneWay> way{};  // of kShared
+        std::shared_ptr<const screens::PhoneWay> way{};  // if it is ready
     };
     struct Survey {
         std::vector<SharedPotNote> shared{};  // the newest first

@@ -71,7 +71,8 @@ sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze, const Kio
 }
 
 asset::Image share_poster(const pot::Section& shape, int glaze, int side_px) {
-    // As in assets/sharing/pot.js: the eye's height, room above the pot and beside it, the board below.
+    // As in assets/sharing/pot.js: the camera's elevation, the margins above and beside the pot, the board
+    // below.
     constexpr float kElevationRad = 0.16F;
     constexpr float kAbove = 1.06F;
     constexpr float kBeside = 1.16F;
@@ -97,7 +98,8 @@ asset::Image share_poster(const pot::Section& shape, int glaze, int side_px) {
 asset::Image share_surface(const pot::Section& shape, int glaze) {
     constexpr int kColumns = 512;
     constexpr int kRows = 256;
-    // The page counts from the right, where it first shows the pot; both counter-clockwise seen from above.
+    // The page counts from the right, its first view of the pot; both count counter-clockwise seen from
+    // above.
     constexpr float kRight = 0.5F * kPiF;
     const finish::GlazeMaterial& material = finish::glaze_at(glaze);
     const std::vector<vec2>& wall = shape.outside;

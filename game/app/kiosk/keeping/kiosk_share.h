@@ -1,5 +1,5 @@
-// The visitor's pot as the outbox takes it, and the outbox as the settings want it. Any one thread but the
-// haptic one.
+// Converts the visitor's pot for the outbox, and the settings to the outbox's address and times. Any one
+// thread but the haptic one.
 #pragma once
 
 #include <string>
@@ -13,26 +13,25 @@
 
 namespace onggi::app {
 
-// Outline, measures, look and words; the files are the caller's to add. The glaze as finish::glaze_at()
-// counts, `language` as the settings do.
+// Outline, measures, look and words; the caller adds the files. `glaze` is an index of finish::glaze_at(),
+// `language` of the settings.
 [[nodiscard]] sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze,
                                             const KioskSettings& settings, int language);
 
-// The pot alone, square and see-through around it, standing as the page's script draws it, so that one takes
-// the other's place unseen.
+// The pot alone in a square picture with a transparent background, placed as by the page's script, so that
+// the script can replace it seamlessly.
 [[nodiscard]] asset::Image share_poster(const pot::Section& shape, int glaze, int side_px);
 
-// The glaze as the page wraps it round the outside, see sharing::SharedPot::surface; empty where there is
-// no outside.
+// The glaze as a texture of the outside, see sharing::SharedPot::surface; empty for a pot without an outside.
 [[nodiscard]] asset::Image share_surface(const pot::Section& shape, int glaze);
 
 [[nodiscard]] sharing::OutboxOptions outbox_options(const KioskSettings& settings);
 
-// What stands before the code in an address: the settings' public_url, or where `onggi share` listens. Bad
-// input, system lacks: as address_of().
+// The address up to the code: the settings' public_url, or where `onggi share` listens. Bad input, system
+// lacks: as address_of().
 [[nodiscard]] Result<std::string> share_base_url(const kiosk::Config& config);
 
-// Of a pot that is shared now, by the machine's clock and where it stands.
+// The times of a pot that is shared now, by the machine's clock and time zone.
 [[nodiscard]] sharing::ShareTime share_time_now(const kiosk::Config& config);
 
 }  // namespace onggi::app

@@ -11,7 +11,7 @@
 #include "engine/files/read_file.h"
 #include "game/app/replay/stored_session.h"
 #include "game/haptic/start_state.h"
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 
 namespace onggi::app {
 namespace {
@@ -54,10 +54,10 @@ Result<std::string> shown_name(const std::string& line, int number, const fs::pa
     return forgiving && !only_on.empty() ? std::string() : name;
 }
 
-std::optional<haptics::Gesture> load_gesture(const fs::path& file, std::vector<std::string>& remarks) {
+std::optional<tool::Gesture> load_gesture(const fs::path& file, std::vector<std::string>& remarks) {
     const auto text = files::read_file(file, kMostGestureBytes);
-    const auto gesture = text ? haptics::parse_gesture(*text, file.string(), haptic::kGestureWords)
-                              : Result<haptics::Gesture>(text.error());
+    const auto gesture =
+        text ? tool::parse_gesture(*text, file.string()) : Result<tool::Gesture>(text.error());
     if (gesture) return *gesture;
     remarks.push_back(gesture.error().message);
     return std::nullopt;
@@ -114,8 +114,8 @@ std::optional<double> played_s(std::uint64_t tick, std::size_t place, double rat
     return static_cast<double>(tick - first) / rate_hz;
 }
 
-DemonstrationHand::DemonstrationHand(std::unique_ptr<haptics::SimulatedDevice> person,
-                                     const std::vector<Recording>& recordings, double rate_hz)
+DemonstrationDevice::DemonstrationDevice(std::unique_ptr<haptic::SimulatedDevice> person,
+                                         const std::vector<Recording>& recordings, double rate_hz)
     : person_(std::move(person)) {
     for (const Recording& recording : recordings) {
         const record::Session& session = recording.session;
@@ -126,12 +126,12 @@ DemonstrationHand::DemonstrationHand(std::unique_ptr<haptics::SimulatedDevice> p
 
 // Between two ticks of the recording the hands go straight on, but not to where they land or let go; all else
 // holds until the next.
-haptics::ToolState DemonstrationHand::at(Player& player, std::uint64_t tick) noexcept {
+tool::ToolState DemonstrationDevice::at(Player& player, std::uint64_t tick) noexcept {
     const double recorded = static_cast<double>(tick) * player.ticks_a_tick;
     const auto before = static_cast<std::uint64_t>(recorded);
     const double fraction = recorded - static_cast<double>(before);
-    haptics::ToolState tool = player.now.at(before);
-    const haptics::ToolState next = player.next.at(before + 1);
+    tool::ToolState tool = player.now.at(before);
+    const tool::ToolState next = player.next.at(before + 1);
     if (tool.pressing != next.pressing || tool.guided != next.guided) return tool;
     tool.position_mm = glm::mix(tool.position_mm, next.position_mm, fraction);
     if (tool.second.present && next.second.present)
@@ -139,18 +139,18 @@ haptics::ToolState DemonstrationHand::at(Player& player, std::uint64_t tick) noe
     return tool;
 }
 
-haptics::ToolState DemonstrationHand::read(std::uint64_t tick, double dt_s) noexcept {
+tool::ToolState DemonstrationDevice::read_tool(std::uint64_t tick, double dt_s) noexcept {
     const std::uint64_t shown = tick < kShownTicks ? 0 : tick - kShownTicks;
     const auto place = static_cast<std::size_t>(shown / kTicksEach);
     if (tick < kShownTicks || place >= players_.size()) {
         // The visitor's hand begins where the visitor has it, not where the recorded one was.
         if (std::exchange(plays_, false)) person_->rest();
-        const haptics::ToolState tool = person_->read(tick, dt_s);
+        const tool::ToolState tool = person_->read_tool(tick, dt_s);
         is_moving_ = person_->is_moving();
         return tool;
     }
     plays_ = true;
-    const haptics::ToolState tool = at(players_[place], shown % kTicksEach);
+    const tool::ToolState tool = at(players_[place], shown % kTicksEach);
     is_moving_ = sense_.moved_to(tool.position_mm);
     return tool;
 }

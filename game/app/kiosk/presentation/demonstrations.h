@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/gesture.h"
-#include "engine/haptics/hand.h"
-#include "engine/haptics/simulated_device.h"
-#include "engine/record/session.h"
+#include "engine/haptics/haptic_device.h"
+#include "game/haptic/simulated_device.h"
 #include "game/haptic/tick.h"
+#include "game/record/session.h"
+#include "game/tool/gesture.h"
 
 namespace onggi::app {
 
@@ -30,7 +30,7 @@ struct Recording {
 
 struct Show {
     std::vector<Recording> recordings;
-    std::optional<haptics::Gesture> gesture;  // where there are no recordings; without it the wheel waits
+    std::optional<tool::Gesture> gesture;  // where there are no recordings; without it the wheel waits
 };
 
 // What the recordings are to be played on.
@@ -61,23 +61,22 @@ constexpr std::size_t kMostRecordings = 32;
 [[nodiscard]] std::optional<double> played_s(std::uint64_t tick, std::size_t place, double rate_hz);
 
 // The kiosk's first hand: the visitor's, by mouse or touch, and on a recorded clay the recorded one.
-class DemonstrationHand final : public haptics::Hand {
+class DemonstrationDevice final : public haptic::ToolDevice {
   public:
     // The recordings outlive it. rate_hz: of the loop.
-    DemonstrationHand(std::unique_ptr<haptics::SimulatedDevice> person,
-                      const std::vector<Recording>& recordings, double rate_hz);
+    DemonstrationDevice(std::unique_ptr<haptic::SimulatedDevice> person,
+                        const std::vector<Recording>& recordings, double rate_hz);
 
     Result<void> open() override { return person_->open(); }
     void close() noexcept override { person_->close(); }
     [[nodiscard]] haptics::DeviceCapabilities capabilities() const override {
         return person_->capabilities();
     }
-    [[nodiscard]] haptics::ToolState read(std::uint64_t tick, double dt_s) noexcept override;
+    [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override;
     void write(const dvec3& force_n) noexcept override { person_->write(force_n); }
 
-    [[nodiscard]] bool is_here() const noexcept override { return true; }
     [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
-    void take_over(const haptics::ToolState& tool) noexcept override { person_->take_over(tool); }
+    void take_over(const dvec3& position_mm) noexcept override { person_->take_over(position_mm); }
 
   private:
     struct Player {
@@ -85,9 +84,9 @@ class DemonstrationHand final : public haptics::Hand {
         record::SessionCursor next;
         double ticks_a_tick = 1.0;  // of the recording, in one of the loop
     };
-    [[nodiscard]] static haptics::ToolState at(Player& player, std::uint64_t tick) noexcept;
+    [[nodiscard]] static tool::ToolState at(Player& player, std::uint64_t tick) noexcept;
 
-    std::unique_ptr<haptics::SimulatedDevice> person_;
+    std::unique_ptr<haptic::SimulatedDevice> person_;
     std::vector<Player> players_;  // haptic thread only
     haptics::MotionSense sense_{1.0};
     bool plays_ = false;

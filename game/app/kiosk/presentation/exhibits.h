@@ -7,34 +7,27 @@
 #include <vector>
 
 #include "game/heritage/card.h"
-#include "game/heritage/jar.h"
+#include "game/heritage/shelf.h"
 #include "game/heritage/target.h"
 #include "game/kiosk/strings.h"
 #include "game/screens/page/view.h"
 
 namespace onggi::app {
 
-// What is told of them: cards by their ids, for these languages.
+// What is told of them: the shelf's rows, and cards by their ids, for these languages.
 struct ExhibitWords {
+    std::vector<heritage::ShelfRow> shelf;
     std::map<std::string, heritage::Card, std::less<>> cards;
     std::vector<kiosk::Language> languages;
 };
 
-// The pots of the shelf: those for which the design has words, and behind them a house's own, which stand for
-// themselves. `places` gets where each stands in the tables.
+// The pots of the shelf, in the order of its rows, and behind them those without a row, which the table of
+// targets names. `places` gets where each stands in that table.
 [[nodiscard]] std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
                                                         const ExhibitWords& words,
                                                         std::vector<std::size_t>& places);
-// All of them, in the tables' order; those that the program has no words for speak for themselves.
+// All of them, in the order of the table of targets.
 [[nodiscard]] std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets,
                                                          const ExhibitWords& words);
-// As large as the lump on the wheel allows, with the walls that a visitor leaves: what is shown can be
-// thrown.
-// A jar of two bowls out of two lumps.
-[[nodiscard]] heritage::ThrownSize size_on_this_wheel(const heritage::Target& target);
-// Its outline at the size at which it is thrown, wet: radius and height from below.
-[[nodiscard]] std::vector<vec2> wet_outline(const heritage::Target& target);
-// What each of its bowls is. Precondition: heritage::is_of_two_bowls().
-[[nodiscard]] heritage::JarOfTwo jar_of(const heritage::Target& target);
 
 }  // namespace onggi::app

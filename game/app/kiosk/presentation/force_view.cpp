@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/wheel/hands.h"
+
 namespace onggi::app {
 namespace {
 
 constexpr double kFollowS = 0.04;
 constexpr double kRescaleS = 0.2;
-constexpr double kLeastShown = 0.03;  // of a full arrow
+constexpr double kLeastShown = 0.03;  // fraction of a full arrow
 constexpr int kMostLines = 12;
 constexpr int kPoints = 48;
 
@@ -35,7 +37,7 @@ Ring ring_of(const pot::Pot& shape, int place) {
     return ring;
 }
 
-// The half of a circle that is turned to the camera, from its left to its right; or all of it.
+// The half of a circle that faces the camera, from left to right; or the whole circle.
 std::vector<vec2> circle(const Sight& sight, double radius_mm, double y_mm, bool whole) {
     const dvec3 eye = sight.towards_eye({0.0, y_mm, 0.0});
     const double flat = std::sqrt(eye.x * eye.x + eye.z * eye.z);
@@ -110,7 +112,7 @@ RingSpan rings_touched(const pot::Pot& shape, const clay::ContactForces& forces)
         const Ring ring = ring_of(shape, place);
         return 0.5 * (ring.low_mm + ring.high_mm);
     };
-    // The first ring from which on the middles lie above a height.
+    // The first ring whose middle is above a height.
     const auto first_above = [&](double y_mm) {
         int first = 0;
         int end = shape.ring_count();
@@ -136,38 +138,39 @@ void ForceView::look(const haptic::Snapshot& snapshot, double now_s) {
         const Forces now_n = forces_of(*hands[hand]);
         for (std::size_t k = 0; k < now_n.size(); ++k) {
             dvec3& shown = shown_n_[hand][k];
-            // What has gone is not shown to linger.
+            // A force that has ended disappears at once.
             shown = hands[hand]->contacts == 0 ? dvec3(0.0)
                                                : shown + (now_n[k] - shown) * (dt_s / (dt_s + kFollowS));
         }
     }
     trace_.add(now_s, glm::length(hands[0]->total_n()), snapshot.periods);
     full_n_ += (trace_.full_n() - full_n_) * std::min(1.0, dt_s / kRescaleS);
-    // A force that has just leapt up, or the other hand's, keeps within an arrow's length.
+    // Sudden forces, and the other hand's, must not exceed an arrow's length.
     for (const Forces& shown_n : shown_n_)
         for (const dvec3& force_n : shown_n)
             full_n_ = std::max(full_n_, glm::length(force_n));
 }
 
-screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
-                                     const Sight& sight, bool with_sum) const {
+screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const Sight& sight,
+                                     bool with_sum) const {
     screens::ForceFrame frame{.trace = &trace_, .with_sum = with_sum};
     for (std::size_t k = 0; k < screens::kForceCount; ++k)
         frame.size_n[k] = glm::length(shown_n_[0][k]);
     const auto add_touch = [&](std::size_t hand, const clay::ContactForces& forces,
-                               const wheel::HandView& view) {
+                               const wheel::DrawnHand& drawn) {
         if (forces.contacts == 0) return;
         screens::ForceTouch touch;
-        const dvec3 at_mm = touched_mm(view.position_mm, view.radius_mm,
+        const dvec3 at_mm = touched_mm(drawn.position_mm, drawn.radius_mm,
                                        shown_n_[hand][static_cast<std::size_t>(screens::Force::kStiffness)]);
         for (std::size_t k = 0; k < screens::kForceCount; ++k)
             touch.arrows[k] = arrow_of(at_mm, shown_n_[hand][k], mm_per_n(), sight);
-        add_rings(touch, *snapshot.pot, rings_touched(*snapshot.pot, forces),
-                  view.side == clay::studio::Side::kIn, sight);
+        add_rings(touch, *snapshot.pot, rings_touched(*snapshot.pot, forces), drawn.side == tool::Side::kIn,
+                  sight);
         frame.touches.push_back(std::move(touch));
     };
-    add_touch(0, snapshot.result.forces, shown.hand);
-    add_touch(1, snapshot.result.second_forces, shown.second_hand);
+    const std::array<wheel::DrawnHand, 2> hands = wheel::hands_of(snapshot);
+    add_touch(0, snapshot.result.forces, hands[0]);
+    add_touch(1, snapshot.result.second_forces, hands[1]);
     return frame;
 }
 

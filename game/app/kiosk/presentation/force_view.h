@@ -45,8 +45,8 @@ class ForceView {
     // read; the plot has each as it was.
     void look(const haptic::Snapshot& snapshot, double now_s);
     // Of the snapshot that was looked at last. with_sum: the sum too, else the three alone.
-    [[nodiscard]] screens::ForceFrame frame(const haptic::Snapshot& snapshot, const wheel::WheelView& shown,
-                                            const Sight& sight, bool with_sum) const;
+    [[nodiscard]] screens::ForceFrame frame(const haptic::Snapshot& snapshot, const Sight& sight,
+                                            bool with_sum) const;
 
     [[nodiscard]] double mm_per_n() const { return kFullArrowMm / full_n_; }
     [[nodiscard]] const screens::ForceTrace& trace() const { return trace_; }

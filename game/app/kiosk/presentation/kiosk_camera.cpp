@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/screens/page/layout.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
 namespace {
@@ -12,21 +13,21 @@ using screens::Shape;
 using wheel::Framing;
 using wheel::View;
 
-constexpr double kTopU = 56.0;        // of the box of pot and hands
-constexpr double kReachTopU = 230.0;  // where who sits can still touch the clay
-constexpr double kLowerU = 110.0;     // and so much lower the wheel stands there
+constexpr double kTopU = 56.0;        // top of the box of pot and hands
+constexpr double kReachTopU = 230.0;  // the top with low controls, so that seated visitors reach the clay
+constexpr double kLowerU = 110.0;     // the wheel's additional lowering there
 constexpr double kAirU = 10.0;
 constexpr double kLeastZoom = 0.64;
-constexpr double kHeadZoom = 0.8;  // at most so much further off to show all of the wheel head
+constexpr double kHeadZoom = 0.8;  // limit of zooming out to show the whole wheel head
 constexpr double kHeadRadiusMm = 150.0;
-constexpr double kHeadEdgeMm = 22.0;  // how thick the wheel head is
+constexpr double kHeadEdgeMm = 22.0;  // thickness of the wheel head
 constexpr double kFootMm = 60.0;
-constexpr double kHandMm = 15.0;  // over the rim
-// The framing gives room in steps, so that a growing pot does not move the camera with every frame.
+constexpr double kHandMm = 15.0;  // room for a hand above the rim
+// The framing changes in steps, so that a growing pot does not move the camera in every frame.
 constexpr double kFitStepMm = 24.0;
 constexpr double kLeastFitMm = 150.0;
 
-// Moves the picture so that what an unshifted lens shows at `from` (px from the middle) is seen at `to`.
+// The lens shift that moves a point from `from` to `to` (px from the middle, for an unshifted lens).
 double shift_for(double from_px, double to_px, double zoom, double half_px) {
     return (to_px - half_px - from_px * zoom) / half_px;
 }
@@ -41,7 +42,7 @@ class Framer {
           ledge_px_(double{screens::ledge_y(shape_, static_cast<float>(sight.height_px / u_), comfort)} *
                     u_) {}
 
-    // Pixels from the picture's middle, of a lens that is neither shifted nor zoomed.
+    // Pixels from the picture's middle, without shift and zoom.
     [[nodiscard]] std::optional<dvec2> from_middle(View view, const dvec3& place_mm) const {
         const auto seen = sight_.project(view, {}, place_mm);
         if (!seen) return std::nullopt;
@@ -58,7 +59,7 @@ class Framer {
         Framing framing{.zoom = reach ? (tall ? 0.74 : 0.82) : 1.0};
         const double top_px = (reach ? kReachTopU + (tall ? 180.0 : 0.0) : kTopU) * u_;
         const double low_px = ledge_px_ - kAirU * u_;
-        // The head's front edge clears the ledge; but the pot's rim comes first, and then its foot.
+        // The head's front edge should be above the ledge; the pot's foot and rim have priority.
         const auto shift_y = [&](double from_px, double to_px) {
             return shift_for(from_px, to_px, framing.zoom, half_.y);
         };
@@ -71,15 +72,15 @@ class Framer {
         const double by_foot = shift_y(foot->y, low_px);
         const double lower = reach ? kLowerU * u_ / half_.y : 0.0;
         framing.shift.y = std::min(std::max(by_head + lower, by_top), by_foot);
-        // No lower than the background has picture, unless the pot needs the room.
+        // Not below the background's picture, unless the pot needs the room.
         if (!reach) framing.shift.y = std::min(framing.shift.y, std::max(framing.zoom - 1.0, by_top));
-        // Beside the hand's keys.
+        // Makes room for the hand's keys.
         if (reach && tall) framing.shift.x = -0.3;
         if (reach && shape_ == Shape::kSquare) framing.shift.x = -0.15;
         return framing;
     }
 
-    // Nearer, because a brush is small; the pot in the middle of what the ledge leaves.
+    // Closer, because a brush is small; the pot is centred above the ledge.
     [[nodiscard]] Framing decorating(double pot_mm) const {
         constexpr double kNearest = 1.39;
         constexpr double kFootU = 44.0;
@@ -91,7 +92,7 @@ class Framer {
         Framing framing;
         framing.zoom = std::clamp((low_px - top_px) / (foot->y - top->y), kLeastZoom, kNearest);
         const double middle = 0.5 * (foot->y + top->y);
-        // As far as the background has picture.
+        // Within the background's picture.
         const double most = std::max(0.0, framing.zoom - 1.0);
         framing.shift.y =
             std::clamp(shift_for(middle, 0.5 * (top_px + low_px), framing.zoom, half_.y), -most, most);
@@ -104,7 +105,7 @@ class Framer {
         return {.shift = {0.0, shift_for(middle->y, 0.5 * (kTopU * u_ + ledge_px_), 1.0, half_.y)}};
     }
 
-    // The box of attract: right of the words, or above them.
+    // The box of attract mode: right of the words, or above them.
     [[nodiscard]] Framing attracting() const {
         const auto foot = from_middle(View::kThrowing, {0.0, 0.0, kFootMm});
         if (!foot) return {};
@@ -119,7 +120,7 @@ class Framer {
             foot_u = 520.0;
         }
         framing.shift.y = shift_for(foot->y, foot_u * u_, framing.zoom, half_.y);
-        // The words' scrim hides where the background ends below, nothing does above.
+        // The words' scrim hides the background's lower end; nothing hides its upper end.
         framing.shift.y = std::min(framing.shift.y, framing.zoom - 1.0);
         return framing;
     }
@@ -138,27 +139,27 @@ CameraRequest KioskCamera::request(const kiosk::State& state, bool shows_room, d
                                    const BackgroundSight& sight) {
     CameraRequest request;
     const Framer framer(sight, state.comfort);
-    if (state.screen == kiosk::Screen::kAttract || state.screen == kiosk::Screen::kFault) {
+    const visit::Step& step = visit::step_of(state.screen);
+    if (step.camera == visit::Camera::kAttract) {
         fitted_mm_ = 0.0;
         request.framing = framer.attracting();
         request.sways = shows_room && !state.comfort.still;
         return request;
     }
-    // A pot that sinks a little keeps its room.
+    // A pot that sinks a little keeps its framing.
     if (pot_mm > fitted_mm_ || pot_mm < fitted_mm_ - 2.5 * kFitStepMm)
         fitted_mm_ = std::max(kLeastFitMm, kFitStepMm * std::ceil(pot_mm / kFitStepMm));
-    if (state.screen == kiosk::Screen::kThrow && state.throwing.looks_in) {
+    if (step.finger == visit::Finger::kClay && state.throwing.looks_in) {
         request.view = View::kLookingIn;
         request.framing = framer.looking_in(fitted_mm_);
         return request;
     }
-    if (state.screen == kiosk::Screen::kDecorate && !state.comfort.reach) {
+    if (step.camera == visit::Camera::kNear && !state.comfort.reach) {
         request.framing = framer.decorating(fitted_mm_);
         return request;
     }
-    const bool throws = state.screen == kiosk::Screen::kThrow || state.screen == kiosk::Screen::kJoin ||
-                        state.screen == kiosk::Screen::kTrim || state.screen == kiosk::Screen::kDecorate;
-    request.framing = framer.throwing(fitted_mm_, throws && state.comfort.reach);
+    const bool is_low = step.camera != visit::Camera::kFar && state.comfort.reach;
+    request.framing = framer.throwing(fitted_mm_, is_low);
     return request;
 }
 

@@ -1,5 +1,5 @@
-// Where the kiosk's camera looks from and how much of the picture it leaves to the ledge and the words: by
-// the design's boxes, and so that pot and hands are inside them. Main thread. px and mm, as named.
+// The kiosk camera's view and framing: pot and hands fit into the design's boxes beside the ledge and the
+// words. Main thread. px and mm, as named.
 #pragma once
 
 #include <functional>
@@ -7,12 +7,10 @@
 
 #include "game/kiosk/config.h"
 #include "game/kiosk/state.h"
-#include "game/wheel/framing.h"
 #include "game/wheel/workshop_files.h"
 
 namespace onggi::app {
 
-// What the camera is asked for.
 struct CameraRequest {
     wheel::View view = wheel::View::kThrowing;
     wheel::Framing framing{};
@@ -22,7 +20,7 @@ struct CameraRequest {
     friend bool operator==(const CameraRequest&, const CameraRequest&) = default;
 };
 
-// The picture, and where a view framed so shows a place in it; as LiveView::project_framed.
+// The picture, and the projection of a place with a view and framing; as LiveView::project_framed.
 struct BackgroundSight {
     int width_px = 0;
     int height_px = 0;
@@ -31,19 +29,19 @@ struct BackgroundSight {
 
 class KioskCamera {
   public:
-    // pot_mm: the pot's height now. shows_room: nothing but the scene is on the screen.
+    // pot_mm: the pot's present height. shows_room: only the scene is on the screen.
     [[nodiscard]] CameraRequest request(const kiosk::State& state, bool shows_room, double pot_mm,
                                         const BackgroundSight& sight);
 
   private:
-    double fitted_mm_ = 0.0;  // the height that the framing has room for
+    double fitted_mm_ = 0.0;  // the height for which the framing has room
 };
 
-// 0 by day; over the last hour before closing time it grows, in steps that nobody sees happen, to the 1 that
-// it stays until the museum opens. Always open is always day.
+// 0 by day; grows in invisible steps over the last hour before closing time to 1, and stays 1 until the
+// museum opens. Always 0 without opening hours.
 [[nodiscard]] double evening_at(const kiosk::Config& config, int minute_of_day);
 
-// Where the photographed room ends in a picture framed so, px: beyond it there is nothing to see.
+// The edges of the photographed room in a picture with that framing, px.
 struct SceneEdges {
     double left = 0.0;
     double top = 0.0;

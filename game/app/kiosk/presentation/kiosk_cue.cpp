@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 
 namespace onggi::app {
 namespace {
@@ -12,15 +12,15 @@ using clay::studio::Grip;
 using clay::studio::GripGuard;
 using screens::CueGuard;
 
-constexpr double kKnownAfterS = 1.5;  // of clay that follows
-constexpr double kAgainAfterS = 6.0;  // without
-constexpr double kFollowsMmS = 3.0;   // hands slower than this get nowhere
+constexpr double kKnownAfterS = 1.5;  // time of clay that follows
+constexpr double kAgainAfterS = 6.0;  // time without
+constexpr double kFollowsMmS = 3.0;   // slower hands make no progress
 constexpr double kGuardSaysS = 0.6;
 constexpr double kEasesS = 0.06;
-constexpr double kHoldMm = 12.0;       // to each side of a finger that lands on a wall
-constexpr double kThumbsMm = 17.0;     // what is opened at first
-constexpr double kRimFraction = 0.3;   // of the depth, that a palm on the rim holds
-constexpr double kFeltFraction = 0.5;  // of a window, beyond which hands hardly move its clay
+constexpr double kHoldMm = 12.0;       // above and below a finger on a wall
+constexpr double kThumbsMm = 17.0;     // radius of the first opening
+constexpr double kRimFraction = 0.3;   // fraction of the depth that a palm on the rim holds
+constexpr double kFeltFraction = 0.5;  // fraction of a window beyond which hands hardly move the clay
 
 CueHold about(double y_mm, double height_mm) {
     const double low_mm = std::clamp(y_mm - kHoldMm, 0.0, std::max(0.0, height_mm - 2.0 * kHoldMm));
@@ -33,7 +33,7 @@ CueHold opening_of(const pot::Pot& shape) {
         .low_mm = shape.floor_mm, .high_mm = shape.height_mm, .opening_mm = std::max(kThumbsMm, mouth_mm)};
 }
 
-// What hands at work hold, without the rim of their window, where they move next to nothing.
+// The hold of working hands, without the margin of their window, where they hardly move the clay.
 CueHold hold_of_grip(const clay::studio::GripReport& grip, const pot::Pot& shape) {
     if (grip.grip == Grip::kOpen) return opening_of(shape);
     CueHold hold{.low_mm = grip.low_mm, .high_mm = std::min(grip.high_mm, shape.height_mm)};
@@ -71,7 +71,7 @@ std::optional<CueHold> hold_of_touch(const pot::Pot& shape, const dvec2& finger_
     const auto& outer = shape.outer_mm;
     if (outer.empty() || finger_mm.y < 0.0) return std::nullopt;
     const double top_mm = shape.height_mm;
-    const Wall rim = wall_at(shape, top_mm - 0.01);
+    const pot::Wall rim = wall_at(shape, top_mm - 0.01);
     const double y_mm = std::min(finger_mm.y, top_mm - 0.01);
     constexpr double kNearMm = 30.0;
     if (with_tool) {
@@ -106,7 +106,7 @@ CueHold hold_of_step(const pot::Pot& shape, int step) {
 }
 
 std::optional<CueThread> thread_of(const clay::studio::GripReport& grip) {
-    constexpr double kTogetherMm = 10.0;  // a hand covers a finger that is no farther off
+    constexpr double kTogetherMm = 10.0;  // a hand hides a finger that is closer than this
     constexpr double kApartMm = 18.0;
     if (grip.grip == Grip::kNone) return std::nullopt;
     const double apart_mm = glm::length(grip.finger_mm - grip.hand_mm);

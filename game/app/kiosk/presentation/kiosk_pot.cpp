@@ -4,23 +4,23 @@
 #include <cmath>
 
 #include "engine/ui/painter.h"
-#include "game/app/kiosk/hand/kiosk_hand.h"
-#include "game/app/kiosk/presentation/exhibits.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/clay/studio/load.h"
 #include "game/clay/studio/pot.h"
 #include "game/clay/studio/studio_parameters.h"
 #include "game/finish/glaze.h"
 #include "game/heritage/advice.h"
+#include "game/heritage/jar.h"
 
 namespace onggi::app {
 namespace {
 
-// What a move of the lesson does to a kilogram; other lumps by the cube root of what they hold.
+// The size of the lesson's moves for a kilogram; other lumps scale by the cube root of their mass.
 constexpr double kPressedMm = 3.0;       // a foot narrower by this, or a lump higher by twice as much
 constexpr double kOpenedMm = 18.0;       // from rim to floor
 constexpr double kOpenedBoreMm = 14.0;   // in the middle of that, to the inner face
-constexpr double kRaisedFraction = 1.4;  // of the height when it was opened
-constexpr double kRaisedMm = 75.0;       // or this, however it came to it
+constexpr double kRaisedFraction = 1.4;  // of the height at the opening
+constexpr double kRaisedMm = 75.0;       // or this height in any case
 constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;
 
 double volume_mm3(const pot::Pot& shape) {
@@ -61,13 +61,15 @@ int Lesson::steps_done(const pot::Pot& shape) {
                          height_mm - start_height_mm_ >= 2.0 * kPressedMm * size_;
     const bool raised =
         is_open && (height_mm > kRaisedFraction * opened_height_mm_ || height_mm >= kRaisedMm * size_);
-    // Opening is more than pressing, and raising more than both: whoever begins with it has learnt them.
+    // Opening includes pressing, and raising includes both: a visitor who begins with a later move has done
+    // the earlier ones.
     done_ = std::max(done_, raised ? 3 : was_opened ? 2 : pressed ? 1 : 0);
     return done_;
 }
 
 kiosk::Warning warning_for(clay::studio::Cause cause, double strength_kpa) {
-    // Half of what fresh clay has (13 kPa): twisted off by the hands it was too soft, and otherwise too thin.
+    // Half the strength of fresh clay (13 kPa): clay twisted off by the hands was too soft below it, and
+    // otherwise too thin.
     constexpr double kSoftKpa = 6.5;
     switch (cause) {
         case clay::studio::Cause::kSpin:
@@ -111,7 +113,7 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
                           .weight_g = measures.mass_g,
                           .capacity_l = measures.capacity_ml / 1000.0};
     const double step_mm = form.height_mm / static_cast<double>(form.radii_mm.size() - 1);
-    // A sample every 1/129 of the height is finer than a small picture shows.
+    // A sample every 1/129 of the height is finer than a small picture resolves.
     for (std::size_t i = 0; i < form.radii_mm.size(); i += 4)
         pot.shape.outside.push_back(vec2(form.radii_mm[i], step_mm * static_cast<double>(i)));
     const double scale = clay::shrunk_scale(body, clay::Firing::kGlaze);
@@ -133,7 +135,7 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
     const heritage::Target& target = targets[beside];
     const heritage::Advice advice = heritage::advise(
         form, target,
-        pot.is_after_relative ? std::optional(size_on_this_wheel(target).fraction) : std::nullopt);
+        pot.is_after_relative ? std::optional(heritage::size_on_this_wheel(target).fraction) : std::nullopt);
     pot.relative = {relatives, &(*relatives)[beside]};
     pot.good_key = heritage::good_key(advice);
     pot.next_key = heritage::next_key(advice);

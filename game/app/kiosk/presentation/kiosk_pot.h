@@ -1,5 +1,5 @@
-// What the screens need to know of the clay: how far the lesson has come, what it warns of, and the finished
-// pot in a visitor's numbers. Any one thread at a time. mm.
+// Facts about the clay for the screens: the lesson's progress, warnings, and the finished pot with its
+// measures. Any one thread at a time. mm.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,8 @@
 
 namespace onggi::app {
 
-// Follows one lump from fresh to pot and says which of the three moves the clay itself shows, whatever made
-// them: pressed, opened, raised.
+// Follows one lump from fresh to pot and detects the three moves of the lesson by the clay's shape,
+// independent of the tool: pressed, opened, raised.
 class Lesson {
   public:
     void begin() { *this = {}; }
@@ -27,18 +27,18 @@ class Lesson {
     bool has_start_ = false;
     double start_height_mm_ = 0.0;
     double start_foot_mm_ = 0.0;
-    double opened_height_mm_ = 0.0;  // when it was opened; 0: it is not
-    double size_ = 1.0;              // of the lump, beside one of a kilogram
+    double opened_height_mm_ = 0.0;  // height when it was opened; 0: not opened
+    double size_ = 1.0;              // relative to a lump of a kilogram
     int done_ = 0;
 };
 
-// What to warn of; it comes at 0.85 of what the clay bears and goes at 0.7.
+// The warning, which starts at 0.85 of the clay's strength and ends at 0.7.
 [[nodiscard]] kiosk::Warning warning_of(const haptic::LoadReport& load, kiosk::Warning before);
 
-// Which warning names that cause, in clay of that strength.
+// The warning for that cause, in clay of that strength.
 [[nodiscard]] kiosk::Warning warning_for(clay::studio::Cause cause, double strength_kpa);
 
-// Thickness of the thinnest wall above the floor; 0 where nothing is hollow.
+// Thickness of the thinnest wall above the floor; 0 for solid clay.
 [[nodiscard]] double thinnest_wall_mm(const pot::Pot& shape);
 
 // The pot as it comes out of the kiln, and beside it the one of `targets` that it was thrown after, `chosen`,
@@ -47,7 +47,7 @@ class Lesson {
     const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
     const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives,
     std::optional<std::size_t> chosen = std::nullopt);
-// A portrait on the evening museum's wall, square.
+// A square portrait on the evening museum's wall.
 [[nodiscard]] ui::Painting portrait(const pot::Section& shape, int glaze, int side_px);
 
 }  // namespace onggi::app

@@ -7,18 +7,18 @@
 #include <utility>
 
 #include "engine/core/units.h"
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
 
 namespace onggi::app {
 namespace {
 
-// The left and right edge of what the ear takes for the wheel.
+// The left and right edge of the wheel in the stereo picture.
 constexpr double kEdgeMm = 150.0;
 // The torque that nearly stalls a small studio wheel: 3 N at 100 mm.
 constexpr double kStallNMm = 300.0;
 
-bool is_hard(haptics::ToolKind kind) {
-    return kind == haptic::kRib || kind == haptic::kTrimmer;
+bool is_hard(tool::Tool kind) {
+    return kind == tool::Tool::kRib || kind == tool::Tool::kTrimmer;
 }
 
 }  // namespace
@@ -27,12 +27,12 @@ sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
     const dvec3& at = snapshot.tool.position_mm;
     const double press_n = glm::length(snapshot.result.forces.stiffness_n) +
                            glm::length(snapshot.result.second_forces.stiffness_n);
-    // Where the surface is: the tool's centre is off it by the tool's radius, which changes little.
+    // Uses the tool's centre for the surface: its distance, the tool's radius, makes little difference.
     const double slip_mm_s = snapshot.wheel_speed_rad_s * std::sqrt(at.x * at.x + at.z * at.z);
-    // The paper's clay knows no water; it sounds as clay does that has been wetted once.
+    // The paper's clay has no wetness; it sounds like clay that was wetted once.
     constexpr double kUnknownWetness = 0.6;
     const bool knows_water = snapshot.pot != nullptr && snapshot.pot->can_be_hollow();
-    return {.wheel_rev_min = units::rev_min_from_rad_s(snapshot.wheel_speed_rad_s),
+    return {.rev_min = units::rev_min_from_rad_s(snapshot.wheel_speed_rad_s),
             .motor_load = std::clamp(std::abs(snapshot.result.wheel_load_n_mm) / kStallNMm, 0.0, 1.0),
             .contact_n = press_n,
             .slip_mm_s = slip_mm_s,
@@ -40,7 +40,7 @@ sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
             .is_hard_tool = is_hard(snapshot.tool.tool),
             .place = std::clamp(at.x / kEdgeMm, -1.0, 1.0),
             .slaps = static_cast<std::uint32_t>(snapshot.run),
-            .is_plucked = snapshot.tool.command != haptics::WorkCommand::kNone,
+            .is_plucked = snapshot.tool.wire != tool::Wire::kNone,
             .volume = volume};
 }
 
@@ -48,7 +48,7 @@ std::string_view caption_key(const sound::SoundScene& scene) {
     constexpr double kHeardN = 0.1;
     constexpr double kWet = 0.4;
     constexpr double kTurnsRevMin = 5.0;
-    const bool turns = std::abs(scene.wheel_rev_min) > kTurnsRevMin;
+    const bool turns = std::abs(scene.rev_min) > kTurnsRevMin;
     if (turns && scene.contact_n > kHeardN && scene.wetness > kWet) return "cap.water";
     return turns ? "cap.wheel" : std::string_view();
 }

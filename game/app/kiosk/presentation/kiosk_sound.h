@@ -1,5 +1,5 @@
-// What there is to hear of the haptic loop's newest snapshot, and the speaker that plays it. Main thread,
-// once a frame.
+// The sound scene of the haptic loop's newest snapshot, and the speaker that plays it. Main thread, once a
+// frame.
 #pragma once
 
 #include <cstdint>
@@ -14,36 +14,35 @@
 
 namespace onggi::app {
 
-// The snapshot as a scene: the wheel as it turns, how hard both hands press, how fast the clay passes under
-// the first, how wet it is. A lump that is put on is a slap. Pure.
+// The sound scene of a snapshot: the wheel's speed, the pressure of both hands, the clay's speed under the
+// first, its wetness. A new lump causes a slap. Pure.
 [[nodiscard]] sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume);
 
-// What is heard of it, as a key of words for those who do not hear: wet clay under the hand, the wheel, or
-// nothing.
+// The key of a caption for deaf visitors: wet clay under the hand, the wheel, or empty.
 [[nodiscard]] std::string_view caption_key(const sound::SoundScene& scene);
 
 class KioskSound {
   public:
     using MakePlace = std::function<std::unique_ptr<sound::SoundPlace>()>;
 
-    // No sound device is opened until the volume is above 0. Never fails: without a device or a thread there
-    // is no sound, and news() says so. A volume that is fixed stays as it is.
+    // Opens no sound device until the volume is above 0. Never fails: without a device or a thread there is
+    // no sound, and news() reports it. A fixed volume cannot be changed.
     explicit KioskSound(double volume, bool is_fixed = false,
                         MakePlace make_place = sound::make_openal_place);
 
-    // Silent while it is muted, whatever the volume; the test of the loudspeakers too.
+    // Silent while muted, including the loudspeaker test.
     void hear(const haptic::Snapshot& snapshot, bool is_muted = false, bool kiln_burns = false);
-    // Speaks a line over the wheel, once; null: stops.
+    // Speaks a line over the wheel's sound, once; null stops it.
     void say(const std::shared_ptr<const sound::SpokenLine>& line);
-    // From the next frame on; 0 to 1. Nothing where it is fixed.
+    // From the next frame on; 0 to 1. Has no effect on a fixed volume.
     void set_volume(double volume);
     [[nodiscard]] bool is_audible() const { return volume_ > 0.0; }
-    // Left loudspeaker, right, both: a tone each, from the next frame on.
+    // Plays a tone on the left loudspeaker, the right one and both, from the next frame on.
     void test() { ++chimes_; }
-    // By what it is heard; empty: by nothing, and lack() says why.
+    // The sound device's name; empty without one, and lack() returns the reason.
     [[nodiscard]] std::string device();
     [[nodiscard]] std::string lack();
-    // What has changed since the last call; empty: nothing. A device that is lost, or found again.
+    // Changes since the last call: a device that was lost or found again; may be empty.
     [[nodiscard]] std::string news();
 
   private:
@@ -53,8 +52,8 @@ class KioskSound {
     MakePlace make_place_;
     std::optional<sound::SoundOutput> output_;
     std::shared_ptr<const sound::SpokenLine> said_;
-    bool was_opened_ = false;  // or could not be; tried once
-    std::string trouble_;      // that there is no thread
+    bool was_opened_ = false;  // or failed to open; tried once
+    std::string trouble_;      // the missing thread's error
     bool trouble_is_told_ = false;
     bool was_heard_ = true;
 };

@@ -1,6 +1,5 @@
-// The recordings that a kiosk speaks: FOLDER/LANGUAGE/KEY.wav, read on a thread of their own when they are
-// due. A recording that is missing is silence; one that cannot be read is silence and a line for the log,
-// once.
+// The recordings of spoken lines: FOLDER/LANGUAGE/KEY.wav, read on a background thread when they are due. A
+// missing recording is silent; an unreadable one is silent and logged once.
 #pragma once
 
 #include <filesystem>
@@ -17,21 +16,22 @@ namespace onggi::app {
 
 class KioskVoice final : private jobs::IoWork {
   public:
-    // An empty folder: nothing is ever spoken.
+    // An empty folder means no speech.
     explicit KioskVoice(std::filesystem::path folder) : folder_(std::move(folder)) {}
     ~KioskVoice() override { stop(); }
 
     Result<void> start();
     void stop() noexcept { thread_.stop(); }
 
-    // Main thread. What is due now; the same again changes nothing. True when it is another than before.
+    // Main thread. Requests the line that is due; repeating the request has no effect. Returns true if it
+    // changed.
     bool ask(std::string_view language, std::string_view key);
-    // Main thread. The line to be heard now: null until it is read, and where there is none.
+    // Main thread. The line to play; null until it is read, and without a recording.
     [[nodiscard]] std::shared_ptr<const sound::SpokenLine> line() noexcept;
-    // What could not be read, one line, once; empty: nothing.
+    // The last reading error, in one line, once; may be empty.
     [[nodiscard]] std::string news();
 
-    // The recording of a line; null where there is none. `trouble` says what is wrong with one that is there.
+    // The recording of a line; null without one. `trouble` is set to the error if it cannot be read.
     [[nodiscard]] static std::shared_ptr<const sound::SpokenLine> read(const std::filesystem::path& folder,
                                                                        const std::string& name,
                                                                        std::string& trouble);

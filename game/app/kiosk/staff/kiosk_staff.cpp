@@ -140,7 +140,7 @@ std::vector<StaffLine> gallery_lines(const Health& health) {
 std::vector<StaffLine> device_lines(const Health& health) {
     std::vector<StaffLine> lines;
     lines.push_back({"Has the tool", health.holder.empty() ? "touch, mouse" : health.holder, ""});
-    for (const HandDevices::Seen& device : health.devices) {
+    for (const AttachedDevices::Seen& device : health.devices) {
         lines.push_back(
             {device.name, device.works ? device.ability : device.why_not, device.works ? "ok" : "warn"});
     }
@@ -164,7 +164,7 @@ std::vector<StaffLine> staff_lines(const Health& health, kiosk::StaffPage page) 
     return {};
 }
 
-std::string force_test_words(const haptic::ForceTestReport& report, std::string_view hand) {
+std::string force_test_words(const haptic::ForceTestReport& report, std::string_view device) {
     using Stage = haptic::ForceTestReport::Stage;
     constexpr double kGivenFraction = 0.5;
     constexpr double kMovedMm = 0.1;
@@ -176,7 +176,7 @@ std::string force_test_words(const haptic::ForceTestReport& report, std::string_
         case Stage::kPushes:
             return "Force: up, right, towards you";
         case Stage::kNobody:
-            return fmt::format("Force: {} feels no hand; hold it and test again", hand);
+            return fmt::format("Force: {} feels no hand; hold it and test again", device);
         case Stage::kBroken:
             return "Force: the test was interrupted";
         case Stage::kDone:
@@ -190,7 +190,7 @@ std::string force_test_words(const haptic::ForceTestReport& report, std::string_
                           : most_mm < kMovedMm                           ? "given, but nothing moved"
                                                                          : "ok";
     return fmt::format("Force: {}. {}: {:.2f} N of {:.2f}, moved {:.1f} up, {:.1f} right, {:.1f} mm near",
-                       verdict, hand, least_n, haptic::kTestForceN, moved_mm.y, moved_mm.x, moved_mm.z);
+                       verdict, device, least_n, haptic::kTestForceN, moved_mm.y, moved_mm.x, moved_mm.z);
 }
 
 int minute_of_day_at(std::int64_t now_s) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/render/pass_clock.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/keeping/kiosk_phone.h"
 #include "game/haptic/force_test.h"
@@ -37,7 +37,7 @@ struct Health {
     double distance_mm = 0.0;
     std::string sound = {};  // name of the sound device; empty without one
     std::string sound_lack = {};
-    std::vector<HandDevices::Seen> devices = {};
+    std::vector<AttachedDevices::Seen> devices = {};
     std::string holder = {};  // the device with the tool; empty for touch and mouse
     UseOfDay use = {};
     std::vector<std::pair<int, std::string>> pots = {};  // a number for the delete key, a name; newest first

@@ -22,7 +22,7 @@ namespace onggi::app {
 struct DeskParts {
     wheel::LiveView& view;
     haptic::HapticJob& job;
-    HandDevices& devices;
+    AttachedDevices& devices;
     KioskKeeper& keeper;
     KioskPhone* phone;  // as in VisitParts
     KioskSound& sound;

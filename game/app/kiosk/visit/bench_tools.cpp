@@ -1,23 +1,22 @@
 #include "game/app/kiosk/visit/bench_tools.h"
 
+#include <algorithm>
 #include <array>
 
 #include "game/screens/page/layout.h"
-#include "game/wheel/tool_models.h"
 
 namespace onggi::app {
 namespace {
 
-// As assets/workshop/maker/tools.py laid them, and the rib, in the wheel's frame: mm, +Y up, towards the
-// visitor +Z.
-struct Lying {
-    kiosk::Held held;
-    dvec3 at_mm;
+// Of a tool of the scene's bench.
+struct Target {
+    wheel::ToolModel model;
+    tool::Tool held;
     vec2 size_u;
 };
-const std::array kLying{Lying{kiosk::Held::kSponge, {300.0, -45.0, 45.0}, {112.0F, 94.0F}},
-                        Lying{kiosk::Held::kWire, {-325.0, -50.0, -128.0}, {250.0F, 78.0F}},
-                        Lying{kiosk::Held::kRib, wheel::kRibOnBenchMm, {80.0F, 130.0F}}};
+constexpr std::array kTargets{Target{wheel::ToolModel::kSponge, tool::Tool::kSponge, {112.0F, 94.0F}},
+                              Target{wheel::ToolModel::kWire, tool::Tool::kWire, {250.0F, 78.0F}},
+                              Target{wheel::ToolModel::kRib, tool::Tool::kRib, {80.0F, 130.0F}}};
 
 // Whether that room is what visitors see: a museum's own has another bench.
 bool has_bench(const VisitParts& parts) {
@@ -28,24 +27,27 @@ bool has_bench(const VisitParts& parts) {
 }  // namespace
 
 bool rib_lies_there(const VisitParts& parts, const kiosk::State& state) {
-    return state.throwing.held != kiosk::Held::kRib && has_bench(parts);
+    return state.throwing.held != tool::Tool::kRib && has_bench(parts);
 }
 
 std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk::State& state) {
     std::vector<screens::BenchTool> tools;
     if (state.throwing.looks_in || !has_bench(parts)) return tools;
-    const wheel::LiveView& view = parts.view;
+    wheel::LiveView& view = parts.view;
     const float px_per_u = screens::px_per_u_of(view.width(), view.height());
-    for (const Lying& tool : kLying) {
-        if (tool.held == kiosk::Held::kRib && !rib_lies_there(parts, state)) continue;
-        const auto px = view.project(tool.at_mm);
-        if (!px) continue;
-        tools.push_back({tool.held, glm::round(vec2(*px)), tool.size_u * px_per_u});
-    }
+    view.scene().registry().each<wheel::BenchTool, wheel::Transform>(
+        [&](ecs::Entity, const wheel::BenchTool& tool, const wheel::Transform& transform) {
+            const auto* target = std::find_if(kTargets.begin(), kTargets.end(),
+                                              [&](const Target& one) { return one.model == tool.model; });
+            if (target == kTargets.end()) return;
+            if (target->held == tool::Tool::kRib && !rib_lies_there(parts, state)) return;
+            const auto px = view.project(transform.position_mm);
+            if (px) tools.push_back({target->held, glm::round(vec2(*px)), target->size_u * px_per_u});
+        });
     return tools;
 }
 
-std::optional<kiosk::Held> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px) {
+std::optional<tool::Tool> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px) {
     for (const screens::BenchTool& tool : tools) {
         const vec2 off = glm::abs(px - tool.centre_px);
         if (off.x < 0.5F * tool.size_px.x && off.y < 0.5F * tool.size_px.y) return tool.held;

@@ -17,6 +17,6 @@ namespace onggi::app {
 [[nodiscard]] std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk::State& state);
 
 // The one under a finger there.
-[[nodiscard]] std::optional<kiosk::Held> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px);
+[[nodiscard]] std::optional<tool::Tool> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px);
 
 }  // namespace onggi::app

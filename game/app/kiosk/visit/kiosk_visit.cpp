@@ -1,21 +1,18 @@
 #include "game/app/kiosk/visit/kiosk_visit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
-#include "game/app/kiosk/presentation/snapshot_view.h"
 #include "game/app/kiosk/visit/bench_tools.h"
 #include "game/app/system/report.h"
+#include "game/visit/finish/finish.h"
+#include "game/visit/flow/flow.h"
 
 namespace onggi::app {
 namespace {
 
-using kiosk::Event;
 using kiosk::Panel;
-using kiosk::Screen;
 
 int screen_key(const kiosk::ScreenState& state) {
     return static_cast<int>(state.screen) * kiosk::kPanelCount + static_cast<int>(state.panel);
@@ -25,7 +22,7 @@ int screen_key(const kiosk::ScreenState& state) {
 
 KioskVisit::KioskVisit(const VisitParts& parts)
     : parts_(parts),
-      state_(kiosk::first_state(parts.settings.rules, 0.0)),
+      state_(visit::first_state(parts.settings.rules, 0.0)),
       desk_({.view = parts.view,
              .job = parts.job,
              .devices = parts.devices,
@@ -37,9 +34,9 @@ KioskVisit::KioskVisit(const VisitParts& parts)
              .rate_hz = parts.rate_hz}),
       wheel_(parts_, *this),
       drawing_(parts_.view, *this),
-      jar_(parts_, *this),
+      jar_(parts_.settings.targets, parts_.settings.exhibit_places, *this),
       trim_(*this),
-      input_(parts_, wheel_.hand(), drawing_, jar_, trim_, *this),
+      input_(parts_, wheel_.finger(), drawing_, jar_, trim_, *this),
       effects_(parts_, wheel_, input_, drawing_, jar_, trim_, desk_, *this),
       scene_(parts_, wheel_, input_, drawing_, trim_),
       screens_(parts_, effects_, jar_, input_.pointer(), desk_) {}
@@ -56,15 +53,15 @@ void KioskVisit::warn(const std::string& line) {
     if (const auto words = log_.say(line, now_s_)) app::warn(*words);
 }
 
-void KioskVisit::dispatch(const Event& event) {
+void KioskVisit::dispatch(const kiosk::Event& event) {
     assert(moment_ != nullptr);
-    const Screen before = state_.screen;
-    for (const kiosk::Effect& effect : kiosk::step(state_, event, now_s_, parts_.settings.rules))
-        effects_.apply(effect, *moment_, before);
-    const bool is_idle = state_.screen == Screen::kAttract;
-    if (is_idle == (before == Screen::kAttract)) return;
-    static_cast<void>(parts_.job.send(is_idle ? haptic::Command::kLetGo : haptic::Command::kTakeHold));
-    if (is_idle) input_.pointer().forget();
+    const auto is_idle = [this] { return visit::step_of(state_.screen).whose == visit::Whose::kNobody; };
+    const bool was_idle = is_idle();
+    for (const kiosk::Effect& effect : visit::advance(state_, event, now_s_, parts_.settings.rules))
+        effects_.apply(effect, *moment_);
+    if (is_idle() == was_idle) return;
+    static_cast<void>(parts_.job.send(is_idle() ? haptic::Command::kLetGo : haptic::Command::kTakeHold));
+    if (is_idle()) input_.pointer().forget();
 }
 
 Result<void> KioskVisit::frame(double now_s) {
@@ -72,13 +69,13 @@ Result<void> KioskVisit::frame(double now_s) {
     constexpr double kLongestFrameS = 0.1;
     const double since_last_s = std::exchange(now_s_, now_s);
     const double frame_s = now_s - since_last_s;
-    if (!std::exchange(has_begun_, true)) state_ = kiosk::first_state(parts_.settings.rules, now_s);
+    if (!std::exchange(has_begun_, true)) state_ = visit::first_state(parts_.settings.rules, now_s);
     const VisitMoment moment{.now_s = now_s,
                              .dt_s = std::clamp(frame_s, 0.0, kLongestFrameS),
                              .snapshot = parts_.job.newest_snapshot()};
     moment_ = &moment;
     desk_.see_frame(now_s, kMsPerS * frame_s, moment.snapshot);
-    dispatch({Event::Kind::kTick});
+    dispatch(kiosk::event::Tick{});
     input_.take(moment);
     wheel_.take_clay(moment.snapshot);
     trim_.look(moment.snapshot);
@@ -87,9 +84,9 @@ Result<void> KioskVisit::frame(double now_s) {
     effects_.take_answers();
     wheel_.move_hand(moment);
     drawing_.pass(moment.dt_s);
-    parts_.sound.hear(moment.snapshot, is_closed(), kiln_burns(state_));
+    parts_.sound.hear(moment.snapshot, is_closed(), visit::kiln_burns(state_));
     scene_.aim_camera(state_, jar_.height_mm(moment.snapshot), screens_.asked(), stage_.covers());
-    screens_.update(state_, moment, scene_.edges(), wheel_.hand().wire_mm());
+    screens_.update(state_, moment, scene_.edges(), wheel_.finger().wire_mm());
     const Result<void> drawn = draw(moment);
     moment_ = nullptr;
     return drawn;
@@ -97,7 +94,7 @@ Result<void> KioskVisit::frame(double now_s) {
 
 KioskPulse KioskVisit::pulse() const {
     KioskPulse pulse = desk_.pulse(parts_.job.newest_snapshot());
-    pulse.screen = kiosk::name_of(state_.screen);
+    pulse.screen = visit::step_of(state_.screen).name;
     pulse.is_closed = is_closed();
     pulse.frames_shown = frames_shown_;
     return pulse;
@@ -108,17 +105,16 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     stage_.take(composer.latest(), now_s_);
     composer.hold(input_.pointer().rests_on_scene());
     stage_.turn(composer.turned());
-    wheel::WheelView shown = wheel_view(moment.snapshot);
-    if (const auto wire_mm = wheel_.hand().wire_mm()) {
-        shown.wire_shown = true;
-        shown.wire_height_mm = *wire_mm;
-        shown.hand.shown = shown.second_hand.shown = false;  // they hold its ends
-    }
-    drawing_.show(shown);
-    jar_.show(shown, moment.snapshot);
-    trim_.show(shown, moment.snapshot);
-    shown.rib_on_bench = rib_lies_there(parts_, state_);
-    const SceneMarks marks = scene_.marks(state_, moment, shown, stage_);
+    wheel::WheelScene& wheel_scene = parts_.view.scene();
+    wheel_scene.hold_wire(wheel_.finger().wire_mm());
+    wheel_scene.lay_on_bench(wheel::ToolModel::kRib, rib_lies_there(parts_, state_));
+    const visit::Finger finger = visit::open_finger(state_);
+    wheel_scene.show_hands(wheel_.shows() || finger == visit::Finger::kClay ||
+                           finger == visit::Finger::kFoot);
+    drawing_.show(wheel_scene);
+    jar_.show(wheel_scene, moment.snapshot);
+    trim_.show(wheel_scene, moment.snapshot);
+    const SceneMarks marks = scene_.marks(state_, moment, stage_);
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),
                                           .band = marks.band ? &*marks.band : nullptr,
@@ -130,9 +126,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
                                   .atlas_side_px = stage_.atlas_side_px(),
                                   .scene_rests = stage_.scene_rests(),
                                   .covers = stage_.covers()};
-    if (!wheel_.shows() && !clay_is_open(state_) && !trimming_is_open(state_))
-        shown.hand.shown = shown.second_hand.shown = false;
-    auto drawn = parts_.view.draw(shown, moment.dt_s, &overlay);
+    auto drawn = parts_.view.draw(moment.snapshot, moment.dt_s, &overlay);
     if (!drawn) return drawn.error();
     if (*drawn) ++frames_shown_;
     for (const std::string& line : parts_.view.take_remarks())
@@ -154,24 +148,15 @@ void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
 
 // Nobody sees the title of a full screen; scripts that play a visitor read it, who have no eyes for the clay.
 void KioskVisit::name_window(const kiosk::ScreenState& shown, double clay_mm) {
-    std::string title = "Onggi - " + std::string(kiosk::name_of(shown.screen));
-    if (shown.panel != Panel::kNone) title += " - " + std::string(kiosk::name_of(shown.panel));
+    const visit::Step& step = visit::step_of(shown.screen);
+    std::string title = "Onggi - " + std::string(step.name);
+    if (shown.panel != Panel::kNone) title += " - " + std::string(visit::overlay_of(shown.panel).name);
     if (shown.panel == Panel::kLanguage) {
         title += " " + (*parts_.settings.languages)[static_cast<std::size_t>(shown.comfort.language)].code();
         if (shown.comfort.reach) title += " low";
     }
-    if (shown.screen == Screen::kThrow && shown.panel == Panel::kNone) {
-        title +=
-            fmt::format(" - {} of {}, {:.0f} mm", shown.throwing.steps_done, kiosk::kTeachingSteps, clay_mm);
-        for (const std::string_view more :
-             {kiosk::name_of(shown.throwing.held), std::string_view(shown.throwing.tray ? "tools" : ""),
-              std::string_view(shown.throwing.shown ? "shown" : "")})
-            if (!more.empty()) title += ", " + std::string(more);
-    }
-    if (shown.screen == Screen::kTrim && shown.panel == Panel::kNone)
-        title += fmt::format(" - {} g", state_.trimming.taken_g);
-    if (shown.screen == Screen::kDecorate && shown.panel == Panel::kNone)
-        title += fmt::format(" - {} strokes", state_.decorating.strokes);
+    if (shown.panel == Panel::kNone && step.title != nullptr)
+        title += step.title({.shown = shown, .now = state_, .clay_mm = clay_mm});
     if (input_.pointer().focus() >= 0) title += " [" + std::to_string(input_.pointer().focus()) + "]";
     if (title == title_) return;
     title_ = title;

@@ -7,221 +7,160 @@
 
 #include "game/clay/studio/studio_clay.h"
 #include "game/heritage/jar.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
-namespace {
 
-using kiosk::Button;
-using kiosk::Effect;
-using kiosk::Event;
+namespace effect = kiosk::effect;
+namespace event = kiosk::event;
+
+namespace {
 
 constexpr std::size_t kMostOnShelf = 6;
 
 }  // namespace
 
-void VisitEffects::apply(const Effect& effect, const VisitMoment& moment, kiosk::Screen left) {
-    switch (effect.kind) {
-        case Effect::Kind::kVisitBegan:
-            thrown_ = false;
-            kept_ = 0;
-            parts_.keeper.note_attract_break();
-            break;
-        case Effect::Kind::kVisitEnded:
-            parts_.keeper.note({.dwell_s = effect.value, .last = left, .thrown = thrown_, .kept = kept_});
-            break;
-        case Effect::Kind::kMoveHand:
-            move_hand(static_cast<Button>(effect.value));
-            break;
-        case Effect::Kind::kStartDemo:
-        case Effect::Kind::kFreshClay:
-        case Effect::Kind::kUndo:
-        case Effect::Kind::kBeforeCollapse:
-        case Effect::Kind::kCutRim:
-        case Effect::Kind::kShowStep:
-        case Effect::Kind::kStopShow:
-            apply_to_clay(effect, moment);
-            break;
-        case Effect::Kind::kBeginDrawing:
-        case Effect::Kind::kUndoStroke:
-        case Effect::Kind::kClearDrawing:
-        case Effect::Kind::kPutBrush:
-        case Effect::Kind::kEndDrawing:
-            apply_to_drawing(effect, moment);
-            break;
-        case Effect::Kind::kBeginJar:
-        case Effect::Kind::kSetAside:
-        case Effect::Kind::kHoldTogether:
-        case Effect::Kind::kJoinBowls:
-        case Effect::Kind::kTakeBack:
-            apply_to_jar(effect, moment);
-            break;
-        case Effect::Kind::kCutOff:
-        case Effect::Kind::kBeginTrim:
-        case Effect::Kind::kEndTrim:
-        case Effect::Kind::kSave:
-        case Effect::Kind::kShare:
-        case Effect::Kind::kWall:
-        case Effect::Kind::kForgetPot:
-            apply_to_done_pot(effect, moment);
-            break;
-        case Effect::Kind::kResume:
-            resume(moment);
-            break;
-        case Effect::Kind::kDropInterrupted:
-            parts_.keeper.drop_interrupted_session();
-            break;
-        case Effect::Kind::kSetVolume:
-        case Effect::Kind::kKeepHouse:
-        case Effect::Kind::kDeletePot:
-        case Effect::Kind::kWithdrawCode:
-        case Effect::Kind::kTestForce:
-        case Effect::Kind::kTestSound:
-        case Effect::Kind::kRestart:
-        case Effect::Kind::kQuit:
-            apply_to_kiosk(effect);
-            break;
-    }
-}
-
-void VisitEffects::move_hand(Button direction) {
-    if (flow_.state().screen == kiosk::Screen::kDecorate) {
-        input_.lead_by_keys();
-        drawing_.nudge(direction);
-    } else {
-        input_.nudge(direction);
-    }
-}
-
-void VisitEffects::apply_to_clay(const Effect& effect, const VisitMoment& moment) {
-    switch (effect.kind) {
-        case Effect::Kind::kStartDemo:
-            wheel_.begin_show(moment.now_s);
-            break;
-        case Effect::Kind::kFreshClay:
-            wheel_.end_shows();
-            thrown_ = true;
-            wheel_.put_fresh_clay();
-            wheel_.rearm_force();
-            parts_.keeper.journal(wheel_.run());
-            break;
-        case Effect::Kind::kUndo:
-            parts_.keeper.undo();
-            break;
-        case Effect::Kind::kBeforeCollapse: {
-            const std::uint64_t tick = wheel_.clay().began_to_fail_tick();
-            wheel_.clay().expect_state(moment.snapshot);  // first: it may be there in no time
-            parts_.keeper.go_before(tick);
-            break;
+void VisitEffects::apply(const kiosk::Effect& effect, const VisitMoment& moment) {
+    const auto apply_it = [&](const auto& what) {
+        if constexpr (requires { apply_one(what, moment); }) {
+            apply_one(what, moment);
+        } else {
+            apply_one(what);
         }
-        case Effect::Kind::kCutRim:
-            wheel_.hand().cut_rim();
-            break;
-        case Effect::Kind::kShowStep:
-            wheel_.hand().show(static_cast<ShownStep>(effect.value), *moment.snapshot.pot,
-                               side_of(flow_.state()));
-            break;
-        case Effect::Kind::kStopShow:
-            wheel_.hand().stop_showing();
-            break;
-        default:
-            break;
+    };
+    std::visit(apply_it, effect);
+}
+
+void VisitEffects::apply_one(const effect::VisitBegan& /*effect*/) {
+    thrown_ = false;
+    kept_ = 0;
+    parts_.keeper.note_attract_break();
+}
+
+void VisitEffects::apply_one(const effect::VisitEnded& ended) {
+    parts_.keeper.note({.dwell_s = ended.dwell_s, .last = ended.last, .thrown = thrown_, .kept = kept_});
+}
+
+void VisitEffects::apply_one(const effect::MoveHand& move) {
+    if (visit::step_of(flow_.state().screen).finger == visit::Finger::kBrush) {
+        input_.lead_by_keys();
+        drawing_.nudge(move.direction);
+    } else {
+        input_.nudge(move.direction);
     }
 }
 
-void VisitEffects::apply_to_drawing(const Effect& effect, const VisitMoment& moment) {
-    switch (effect.kind) {
-        case Effect::Kind::kBeginDrawing:
-            drawing_.begin(moment.snapshot.wheel_direction);
-            break;
-        case Effect::Kind::kUndoStroke:
-            drawing_.undo();
-            break;
-        case Effect::Kind::kClearDrawing:
-            drawing_.clear();
-            break;
-        case Effect::Kind::kPutBrush:
-            input_.lead_by_keys();
-            drawing_.put_brush(effect.value != 0);
-            break;
-        case Effect::Kind::kEndDrawing:
-            fire_drawing();
-            break;
-        default:
-            break;
+void VisitEffects::apply_one(const effect::FreshClay& /*effect*/) {
+    wheel_.end_shows();
+    thrown_ = true;
+    wheel_.put_fresh_clay();
+    wheel_.rearm_force();
+    parts_.keeper.journal(wheel_.run());
+}
+
+void VisitEffects::apply_one(const effect::BeforeCollapse& /*effect*/, const VisitMoment& moment) {
+    const std::uint64_t tick = wheel_.clay().began_to_fail_tick();
+    wheel_.clay().expect_state(moment.snapshot);  // first: it may be there in no time
+    parts_.keeper.go_before(tick);
+}
+
+void VisitEffects::apply_one(const effect::ShowStep& show, const VisitMoment& moment) {
+    wheel_.finger().show(show.step, *moment.snapshot.pot, side_of(flow_.state()));
+}
+
+void VisitEffects::apply_one(const effect::PutBrush& brush) {
+    input_.lead_by_keys();
+    drawing_.put_brush(brush.down);
+}
+
+// What was drawn goes with the pot from here on.
+void VisitEffects::apply_one(const effect::EndDrawing& /*effect*/) {
+    if (!pot_) return;
+    screens::FiredPot drawn_on = *pot_;
+    drawn_on.shape.marks = drawing_.marks();
+    drawn_on.drawn_with = drawing_.drawn_with();
+    pot_ = std::make_shared<const screens::FiredPot>(std::move(drawn_on));
+}
+
+void VisitEffects::apply_one(const effect::SetAside& /*effect*/) {
+    wheel_.finger().release();
+    parts_.keeper.set_aside();
+}
+
+void VisitEffects::apply_one(const effect::HoldTogether& /*effect*/) {
+    wheel_.finger().release();
+    parts_.keeper.hold_together(jar_.mouth_mm());
+}
+
+void VisitEffects::apply_one(const effect::JoinBowls& /*effect*/, const VisitMoment& moment) {
+    wheel_.clay().expect_state(moment.snapshot);
+    parts_.keeper.join_bowls(
+        {.shift_mm = jar_.shift_mm(moment.snapshot.wheel_direction), .mouth_mm = jar_.mouth_mm()});
+}
+
+void VisitEffects::apply_one(const effect::TakeBack& back, const VisitMoment& moment) {
+    wheel_.finger().release();
+    wheel_.clay().expect_state(moment.snapshot);
+    parts_.keeper.take_back(back.bowl);
+}
+
+void VisitEffects::apply_one(const effect::CutOff& /*effect*/) {
+    may_be_trimmed_ = true;
+    wheel_.finger().release();
+    parts_.keeper.cut_off();
+}
+
+void VisitEffects::apply_one(const effect::BeginTrim& /*effect*/, const VisitMoment& moment) {
+    wheel_.finger().leave_clay();
+    trim_.begin(moment.snapshot);
+    parts_.keeper.begin_trim();
+}
+
+void VisitEffects::apply_one(const effect::EndTrim& trimmed) {
+    wheel_.finger().leave_clay();
+    if (trimmed.took_clay) {
+        drawing_.forget_pot();
+        parts_.keeper.cut_off();
+    } else {
+        write_session();
     }
 }
 
-void VisitEffects::apply_to_jar(const Effect& effect, const VisitMoment& moment) {
-    switch (effect.kind) {
-        case Effect::Kind::kBeginJar:
-            parts_.keeper.begin_jar(jar_.target_id());
-            break;
-        case Effect::Kind::kSetAside:
-            wheel_.hand().release();
-            parts_.keeper.set_aside();
-            break;
-        case Effect::Kind::kHoldTogether:
-            wheel_.hand().release();
-            parts_.keeper.hold_together(jar_.join(moment.snapshot.wheel_direction).mouth_mm);
-            break;
-        case Effect::Kind::kJoinBowls:
-            wheel_.clay().expect_state(moment.snapshot);
-            parts_.keeper.join_bowls(jar_.join(moment.snapshot.wheel_direction));
-            break;
-        case Effect::Kind::kTakeBack:
-            wheel_.hand().release();
-            wheel_.clay().expect_state(moment.snapshot);
-            parts_.keeper.take_back(effect.value);
-            break;
-        default:
-            break;
+void VisitEffects::apply_one(const effect::Save& /*effect*/) {
+    if (!pot_) return flow_.dispatch(event::SaveFailed{});
+    parts_.keeper.save(std::shared_ptr<const pot::Section>(pot_, &pot_->shape), flow_.state().glaze);
+}
+
+void VisitEffects::apply_one(const effect::Share& /*effect*/) {
+    phone_way_.reset();
+    const kiosk::State& state = flow_.state();
+    if (!pot_ || parts_.phone == nullptr)
+        return flow_.dispatch(event::Shared{state.keeping.number, kiosk::ShareOutcome::kFailed});
+    parts_.phone->share(
+        {.gallery_name = kept_name_, .pot = pot_, .glaze = state.glaze, .language = state.comfort.language});
+}
+
+void VisitEffects::apply_one(const effect::Wall& wall, const VisitMoment& moment) {
+    if (!pot_) return;
+    put_on_wall_s_ = wall.up ? moment.now_s : kLongAgoS;
+    if (wall.up) {
+        parts_.keeper.put_on_wall(
+            {.gallery_name = kept_name_, .glaze = flow_.state().glaze, .shape = pot_->shape});
+    } else {
+        parts_.keeper.take_off_wall(kept_name_);
     }
 }
 
-void VisitEffects::apply_to_done_pot(const Effect& effect, const VisitMoment& moment) {
-    switch (effect.kind) {
-        case Effect::Kind::kCutOff:
-            may_be_trimmed_ = true;
-            wheel_.hand().release();
-            parts_.keeper.cut_off();
-            break;
-        case Effect::Kind::kBeginTrim:
-            wheel_.hand().leave_clay();
-            trim_.begin(moment.snapshot);
-            parts_.keeper.begin_trim();
-            break;
-        case Effect::Kind::kEndTrim:
-            wheel_.hand().leave_clay();
-            if (effect.value == 1) {
-                drawing_.forget_pot();
-                parts_.keeper.cut_off();
-            } else {
-                write_session();
-            }
-            break;
-        case Effect::Kind::kSave:
-            save();
-            break;
-        case Effect::Kind::kShare:
-            share();
-            break;
-        case Effect::Kind::kWall:
-            move_on_wall(effect.value != 0, moment.now_s);
-            break;
-        case Effect::Kind::kForgetPot:
-            pot_.reset();
-            drawing_.forget();
-            jar_.forget();
-            phone_way_.reset();
-            parts_.keeper.forget();
-            if (parts_.phone != nullptr) parts_.phone->forget();
-            break;
-        default:
-            break;
-    }
+void VisitEffects::apply_one(const effect::ForgetPot& /*effect*/) {
+    pot_.reset();
+    drawing_.forget();
+    jar_.forget();
+    phone_way_.reset();
+    parts_.keeper.forget();
+    if (parts_.phone != nullptr) parts_.phone->forget();
 }
 
-void VisitEffects::resume(const VisitMoment& moment) {
+void VisitEffects::apply_one(const effect::Resume& /*effect*/, const VisitMoment& moment) {
     wheel_.end_shows();
     thrown_ = true;
     wheel_.rearm_force();
@@ -231,34 +170,10 @@ void VisitEffects::resume(const VisitMoment& moment) {
     if (interrupted_bowl_) jar_.set_aside(std::exchange(interrupted_bowl_, nullptr));
 }
 
-void VisitEffects::apply_to_kiosk(const Effect& effect) {
-    switch (effect.kind) {
-        case Effect::Kind::kSetVolume:
-            parts_.sound.set_volume(effect.value / kLoudestStep);
-            break;
-        case Effect::Kind::kKeepHouse:
-            keep_house();
-            break;
-        case Effect::Kind::kDeletePot:
-            desk_.delete_pot(effect.value);
-            break;
-        case Effect::Kind::kWithdrawCode:
-            desk_.withdraw_code(effect.value);
-            break;
-        case Effect::Kind::kTestForce:
-            desk_.test_force();
-            break;
-        case Effect::Kind::kTestSound:
-            desk_.test_sound();
-            break;
-        case Effect::Kind::kRestart:
-        case Effect::Kind::kQuit:
-            quits_ = true;
-            restarts_ = effect.kind == Effect::Kind::kRestart;
-            break;
-        default:
-            break;
-    }
+void VisitEffects::apply_one(const effect::KeepHouse& /*effect*/) {
+    const auto language = static_cast<std::size_t>(flow_.state().house_language);
+    parts_.keeper.keep(
+        HouseDefaults{flow_.state().house_volume, (*parts_.settings.languages)[language].code()});
 }
 
 std::optional<std::size_t> VisitEffects::thrown_after() const {
@@ -279,8 +194,8 @@ void VisitEffects::take(const KeeperAnswer::CutOff& cut) {
     drawing_.take(cut.pot);
     // A hand control holds no trimmer: whoever throws with one goes on to decorate.
     const bool can_trim =
-        clay::studio::foot_wall_mm(clay.rings()) > kThickFootMm && parts_.devices.holder().empty();
-    if (std::exchange(may_be_trimmed_, false) && can_trim) flow_.dispatch({Event::Kind::kThickFoot});
+        clay::studio::foot_wall_mm(clay.rings()) > visit::kThickFootMm && parts_.devices.holder().empty();
+    if (std::exchange(may_be_trimmed_, false) && can_trim) flow_.dispatch(event::ThickFoot{});
     // Its film is made of what it is in the end.
     if (!flow_.state().trimming.is_offered) write_session();
 }
@@ -300,13 +215,14 @@ void VisitEffects::take(const KeeperAnswer::Interrupted& found) {
         return parts_.settings.targets[row].id == found.jar_target;
     });
     const bool is_jar = step != kiosk::JarStep::kNone && place != places.end();
-    flow_.dispatch({Event::Kind::kInterruptedSession, Button::kNone,
-                    is_jar ? kiosk::interrupted_jar(step, static_cast<int>(place - places.begin())) : 0});
+    if (!is_jar) return flow_.dispatch(event::InterruptedSession{});
+    flow_.dispatch(
+        event::InterruptedSession{kiosk::InterruptedJar{step, static_cast<int>(place - places.begin())}});
 }
 
 void VisitEffects::take(const KeeperAnswer::SetAside& aside) {
     jar_.set_aside(aside.bowl);
-    flow_.dispatch({Event::Kind::kSetAside});
+    flow_.dispatch(event::SetAside{});
 }
 
 void VisitEffects::take(const KeeperAnswer::Saved& saved) {
@@ -315,59 +231,19 @@ void VisitEffects::take(const KeeperAnswer::Saved& saved) {
     ++kept_;
     ++pots_kept_;
     kept_name_ = saved.gallery_name;
-    flow_.dispatch({Event::Kind::kSaved, Button::kNone, saved.number});
+    flow_.dispatch(event::Saved{saved.number});
 }
 
-void VisitEffects::take(const Event& event) {
-    if (event.kind == Event::Kind::kJarStays) wheel_.clay().expect_nothing();
+void VisitEffects::take(const kiosk::Event& event) {
+    if (std::holds_alternative<event::JarStays>(event)) wheel_.clay().expect_nothing();
     flow_.dispatch(event);
-}
-
-// What was drawn goes with the pot from here on.
-void VisitEffects::fire_drawing() {
-    if (!pot_) return;
-    screens::FiredPot drawn_on = *pot_;
-    drawn_on.shape.marks = drawing_.marks();
-    drawn_on.drawn_with = drawing_.drawn_with();
-    pot_ = std::make_shared<const screens::FiredPot>(std::move(drawn_on));
-}
-
-void VisitEffects::save() {
-    if (!pot_) return flow_.dispatch({Event::Kind::kSaveFailed});
-    parts_.keeper.save(std::shared_ptr<const pot::Section>(pot_, &pot_->shape), flow_.state().glaze);
-}
-
-void VisitEffects::share() {
-    phone_way_.reset();
-    const kiosk::State& state = flow_.state();
-    if (!pot_ || parts_.phone == nullptr)
-        return flow_.dispatch({Event::Kind::kShareFailed, Button::kNone, state.keeping.number});
-    parts_.phone->share(
-        {.gallery_name = kept_name_, .pot = pot_, .glaze = state.glaze, .language = state.comfort.language});
-}
-
-void VisitEffects::move_on_wall(bool up, double now_s) {
-    if (!pot_) return;
-    put_on_wall_s_ = up ? now_s : kLongAgoS;
-    if (up) {
-        parts_.keeper.put_on_wall(
-            {.gallery_name = kept_name_, .glaze = flow_.state().glaze, .shape = pot_->shape});
-    } else {
-        parts_.keeper.take_off_wall(kept_name_);
-    }
 }
 
 // Of a pot whose visitor has gone, nobody here wants to know.
 void VisitEffects::take(const PhoneAnswer::OfPot& shared) {
     if (shared.gallery_name != kept_name_ || pot_ == nullptr) return;
-    if (shared.event == Event::Kind::kShared) phone_way_ = shared.way;
-    flow_.dispatch({shared.event, Button::kNone, flow_.state().keeping.number});
-}
-
-void VisitEffects::keep_house() {
-    const auto language = static_cast<std::size_t>(flow_.state().house_language);
-    parts_.keeper.keep(
-        HouseDefaults{flow_.state().house_volume, (*parts_.settings.languages)[language].code()});
+    if (shared.outcome == kiosk::ShareOutcome::kReady) phone_way_ = shared.way;
+    flow_.dispatch(event::Shared{flow_.state().keeping.number, shared.outcome});
 }
 
 void VisitEffects::take_answers() {

@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "game/app/kiosk/staff/staff_desk.h"
-#include "game/app/kiosk/visit/visit_drawing.h"
 #include "game/app/kiosk/visit/visit_input.h"
-#include "game/app/kiosk/visit/visit_jar.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/app/kiosk/visit/visit_wheel.h"
 #include "game/screens/page/view.h"
+#include "game/visit/decorate/visit_drawing.h"
+#include "game/visit/jar/visit_jar.h"
 
 namespace onggi::app {
 
 class VisitEffects {
   public:
     // All outlive it.
-    VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, VisitDrawing& drawing,
-                 VisitJar& jar, VisitTrim& trim, StaffDesk& desk, VisitFlow& flow)
+    VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, visit::VisitDrawing& drawing,
+                 visit::VisitJar& jar, visit::VisitTrim& trim, StaffDesk& desk, VisitFlow& flow)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
@@ -30,8 +30,7 @@ class VisitEffects {
           desk_(desk),
           flow_(flow) {}
 
-    // left: the screen before the step that asks for it.
-    void apply(const kiosk::Effect& effect, const VisitMoment& moment, kiosk::Screen left);
+    void apply(const kiosk::Effect& effect, const VisitMoment& moment);
     // What the keeper has done meanwhile. Once a frame.
     void take_answers();
 
@@ -50,14 +49,55 @@ class VisitEffects {
     [[nodiscard]] bool restarts() const { return restarts_; }
 
   private:
-    // Parts of apply(), each for the effects on one thing.
-    void apply_to_clay(const kiosk::Effect& effect, const VisitMoment& moment);
-    void apply_to_drawing(const kiosk::Effect& effect, const VisitMoment& moment);
-    void apply_to_jar(const kiosk::Effect& effect, const VisitMoment& moment);
-    void apply_to_done_pot(const kiosk::Effect& effect, const VisitMoment& moment);  // once it is cut off
-    void apply_to_kiosk(const kiosk::Effect& effect);  // its house settings, its staff's desk, its end
-    void move_hand(kiosk::Button direction);           // a button of the pad
-    void resume(const VisitMoment& moment);
+    // Each effect, with the moment where it needs one.
+    void apply_one(const kiosk::effect::StartDemo& /*effect*/, const VisitMoment& moment) {
+        wheel_.begin_show(moment.now_s);
+    }
+    void apply_one(const kiosk::effect::FreshClay& effect);
+    void apply_one(const kiosk::effect::Undo& /*effect*/) { parts_.keeper.undo(); }
+    void apply_one(const kiosk::effect::BeforeCollapse& effect, const VisitMoment& moment);
+    void apply_one(const kiosk::effect::BeginJar& /*effect*/) { parts_.keeper.begin_jar(jar_.target_id()); }
+    void apply_one(const kiosk::effect::SetAside& effect);
+    void apply_one(const kiosk::effect::TakeBack& back, const VisitMoment& moment);
+    void apply_one(const kiosk::effect::HoldTogether& effect);
+    void apply_one(const kiosk::effect::JoinBowls& effect, const VisitMoment& moment);
+    void apply_one(const kiosk::effect::MoveHand& move);
+    void apply_one(const kiosk::effect::CutRim& /*effect*/) { wheel_.finger().cut_rim(); }
+    void apply_one(const kiosk::effect::ShowStep& show, const VisitMoment& moment);
+    void apply_one(const kiosk::effect::StopShow& /*effect*/) { wheel_.finger().stop_showing(); }
+    void apply_one(const kiosk::effect::CutOff& effect);
+    void apply_one(const kiosk::effect::BeginTrim& effect, const VisitMoment& moment);
+    void apply_one(const kiosk::effect::EndTrim& trimmed);
+    void apply_one(const kiosk::effect::BeginDrawing& /*effect*/, const VisitMoment& moment) {
+        drawing_.begin(moment.snapshot.wheel_direction);
+    }
+    void apply_one(const kiosk::effect::UndoStroke& /*effect*/) { drawing_.undo(); }
+    void apply_one(const kiosk::effect::ClearDrawing& /*effect*/) { drawing_.clear(); }
+    void apply_one(const kiosk::effect::PutBrush& brush);
+    void apply_one(const kiosk::effect::EndDrawing& effect);
+    void apply_one(const kiosk::effect::Save& effect);
+    void apply_one(const kiosk::effect::Share& effect);
+    void apply_one(const kiosk::effect::Wall& wall, const VisitMoment& moment);
+    void apply_one(const kiosk::effect::ForgetPot& effect);
+    void apply_one(const kiosk::effect::Resume& effect, const VisitMoment& moment);
+    void apply_one(const kiosk::effect::DropInterrupted& /*effect*/) {
+        parts_.keeper.drop_interrupted_session();
+    }
+    void apply_one(const kiosk::effect::SetVolume& set) {
+        parts_.sound.set_volume(set.volume / kLoudestStep);
+    }
+    void apply_one(const kiosk::effect::KeepHouse& effect);
+    void apply_one(const kiosk::effect::VisitBegan& effect);
+    void apply_one(const kiosk::effect::VisitEnded& ended);
+    void apply_one(const kiosk::effect::TestForce& /*effect*/) { desk_.test_force(); }
+    void apply_one(const kiosk::effect::TestSound& /*effect*/) { desk_.test_sound(); }
+    void apply_one(const kiosk::effect::DeletePot& deleted) { desk_.delete_pot(deleted.pot); }
+    void apply_one(const kiosk::effect::WithdrawCode& withdrawn) { desk_.withdraw_code(withdrawn.pot); }
+    void apply_one(const kiosk::effect::Restart& /*effect*/) { quits_ = restarts_ = true; }
+    void apply_one(const kiosk::effect::Quit& /*effect*/) {
+        quits_ = true;
+        restarts_ = false;
+    }
     // Of the settings' targets.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
     void write_session();
@@ -76,18 +116,13 @@ class VisitEffects {
     void take(const PhoneAnswer::OfPot& shared);
     void take(const PhoneAnswer::Survey& survey) { desk_.take(survey); }
     void take(const PhoneAnswer::Remark&) {}
-    void fire_drawing();
-    void save();
-    void share();
-    void keep_house();
-    void move_on_wall(bool up, double now_s);
 
     const VisitParts& parts_;
     VisitWheel& wheel_;
     VisitInput& input_;
-    VisitDrawing& drawing_;
-    VisitJar& jar_;
-    VisitTrim& trim_;
+    visit::VisitDrawing& drawing_;
+    visit::VisitJar& jar_;
+    visit::VisitTrim& trim_;
     StaffDesk& desk_;
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;

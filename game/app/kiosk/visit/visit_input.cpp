@@ -5,37 +5,41 @@
 
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/kiosk/visit/bench_tools.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
+
+namespace event = kiosk::event;
+
 namespace {
 
 using kiosk::Button;
-using kiosk::Event;
-using kiosk::Panel;
-using kiosk::Screen;
+using visit::Finger;
+using visit::open_finger;
+using visit::step_of;
 
 // What works on the clay is the hand, whichever way the clay stands.
-bool hand_is_open(const kiosk::State& state) {
-    return clay_is_open(state) || trimming_is_open(state);
+bool finger_counts(const kiosk::State& state) {
+    return open_finger(state) == Finger::kClay || open_finger(state) == Finger::kFoot;
 }
 
 // Of a pot that stands on its rim, up is down.
 Button upright(Button button, const kiosk::State& state) {
-    if (state.screen != Screen::kTrim) return button;
+    if (step_of(state.screen).finger != Finger::kFoot) return button;
     if (button == Button::kHandUp) return Button::kHandDown;
     return button == Button::kHandDown ? Button::kHandUp : button;
 }
 
-HandKey hand_key(Button button) {
+FingerKey finger_key(Button button) {
     switch (button) {
         case Button::kHandUp:
-            return HandKey::kUp;
+            return FingerKey::kUp;
         case Button::kHandDown:
-            return HandKey::kDown;
+            return FingerKey::kDown;
         case Button::kHandLeft:
-            return HandKey::kLeft;
+            return FingerKey::kLeft;
         default:
-            return HandKey::kRight;
+            return FingerKey::kRight;
     }
 }
 
@@ -54,22 +58,22 @@ bool VisitInput::hovers(double now_s) const {
 
 void VisitInput::nudge(Button button) {
     keys_lead_ = true;
-    const HandKey key = hand_key(upright(button, flow_.state()));
-    if (flow_.state().screen == Screen::kTrim) {
-        hand_.key(key, side_of(flow_.state()));  // a trimmer walks along the wall, and draws none up
+    const FingerKey key = finger_key(upright(button, flow_.state()));
+    if (step_of(flow_.state().screen).finger == Finger::kFoot) {
+        finger_.key(key, side_of(flow_.state()));  // a trimmer walks along the wall, and draws none up
     } else {
-        hand_.button(key, side_of(flow_.state()));
+        finger_.button(key, side_of(flow_.state()));
     }
 }
 
-std::optional<dvec2> VisitInput::hand_place(vec2 px) const {
+std::optional<dvec2> VisitInput::finger_place(vec2 px) const {
     const auto place = place_at(parts_.view, px);
-    return place && flow_.state().screen == Screen::kTrim ? trim_.turned(*place) : place;
+    return place && step_of(flow_.state().screen).finger == Finger::kFoot ? trim_.turned(*place) : place;
 }
 
 void VisitInput::help_along() {
     const std::optional<int> target =
-        parts_.settings.config.visit.forgiving && flow_.state().screen == Screen::kThrow
+        parts_.settings.config.visit.forgiving && step_of(flow_.state().screen).finger == Finger::kClay
             ? flow_.state().throwing.target
             : std::nullopt;
     const int steps_done = flow_.state().throwing.steps_done;
@@ -79,24 +83,24 @@ void VisitInput::help_along() {
     helped_steps_ = steps_done;
     helped_jar_ = jar;
     if (!target) {
-        hand_.set_outline({}, 0.0);
+        finger_.set_outline({}, 0.0);
         return;
     }
-    hand_.set_outline(jar_.outline(), outline_help_after(steps_done));
+    finger_.set_outline(jar_.outline(), outline_help_after(steps_done));
 }
 
 bool VisitInput::take_drawing(const PointerNews& news) {
     switch (news.kind) {
-        case PointerNews::Kind::kHandDown:
+        case PointerNews::Kind::kFingerDown:
             keys_lead_ = false;
-            flow_.dispatch({Event::Kind::kInput});
+            flow_.dispatch(event::Input{});
             drawing_.press(news.at_px);
             return true;
-        case PointerNews::Kind::kHandMoved:
-            flow_.dispatch({Event::Kind::kInput});
+        case PointerNews::Kind::kFingerMoved:
+            flow_.dispatch(event::Input{});
             drawing_.drag(news.at_px);
             return true;
-        case PointerNews::Kind::kHandUp:
+        case PointerNews::Kind::kFingerUp:
             drawing_.release();
             return true;
         case PointerNews::Kind::kHovered:
@@ -105,10 +109,10 @@ bool VisitInput::take_drawing(const PointerNews& news) {
             return true;
         case PointerNews::Kind::kNudged:
             pointer_.leave_ring();
-            flow_.dispatch(Event::pressed(news.button));
+            flow_.dispatch(event::Pressed{news.button});
             return true;
         case PointerNews::Kind::kPutDown:
-            flow_.dispatch(Event::pressed(Button::kPutBrush));
+            flow_.dispatch(event::Pressed{Button::kPutBrush});
             return true;
         default:
             return false;
@@ -117,65 +121,60 @@ bool VisitInput::take_drawing(const PointerNews& news) {
 
 // What lies on the bench is taken by touching it.
 bool VisitInput::pick_up(vec2 px) {
-    if (!clay_is_open(flow_.state()) || flow_.state().screen != Screen::kThrow) return false;
+    if (open_finger(flow_.state()) != Finger::kClay) return false;
     const auto held = bench_tool_at(bench_tools(parts_, flow_.state()), px);
-    if (held) flow_.dispatch(Event::pressed(Button::kTakeTool, static_cast<int>(*held)));
+    if (held) flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(kiosk::tray_place(*held))});
     return held.has_value();
 }
 
 void VisitInput::take_news(const PointerNews& news, double now_s) {
-    if (drawing_is_open(flow_.state()) && take_drawing(news)) return;
-    const bool scene_is_open =
-        flow_.state().panel == Panel::kNone &&
-        (flow_.state().screen == Screen::kThrow || flow_.state().screen == Screen::kTrim ||
-         flow_.state().screen == Screen::kChoose);
+    if (open_finger(flow_.state()) == Finger::kBrush && take_drawing(news)) return;
     switch (news.kind) {
         case PointerNews::Kind::kNone:
             break;
         case PointerNews::Kind::kLife:
-            flow_.dispatch({Event::Kind::kInput, Button::kNone, news.value});
+            flow_.dispatch(event::Input{.by_key = news.value == 1});
             break;
         case PointerNews::Kind::kPressed:
-            flow_.dispatch(Event::pressed(news.button, news.value));
+            flow_.dispatch(event::Pressed{news.button, news.value});
             break;
-        case PointerNews::Kind::kHandDown:
+        case PointerNews::Kind::kFingerDown:
             if (pick_up(news.at_px)) break;
-            if (hand_is_open(flow_.state())) {
+            if (finger_counts(flow_.state())) {
                 keys_lead_ = false;
-                flow_.dispatch({Event::Kind::kClayTouched});
-                if (const auto place = hand_place(news.at_px)) hand_.press(*place);
+                flow_.dispatch(event::ClayTouched{});
+                if (const auto place = finger_place(news.at_px)) finger_.press(*place);
             } else {
-                flow_.dispatch({Event::Kind::kInput});
+                flow_.dispatch(event::Input{});
             }
             break;
-        case PointerNews::Kind::kHandMoved:
-            if (!scene_is_open) break;
-            flow_.dispatch({Event::Kind::kInput});
-            if (const auto place = hand_place(news.at_px)) hand_.drag(*place);
+        case PointerNews::Kind::kFingerMoved:
+            if (!finger_counts(flow_.state()) && open_finger(flow_.state()) != Finger::kLooks) break;
+            flow_.dispatch(event::Input{});
+            if (const auto place = finger_place(news.at_px)) finger_.drag(*place);
             break;
-        case PointerNews::Kind::kHandUp:
-            hand_.release();
+        case PointerNews::Kind::kFingerUp:
+            finger_.release();
             break;
         case PointerNews::Kind::kHovered:
             hovered_s_ = now_s;
             keys_lead_ = false;
-            if (const auto place = hand_place(news.at_px)) hand_.hover(*place);
+            if (const auto place = finger_place(news.at_px)) finger_.hover(*place);
             break;
         case PointerNews::Kind::kPutDown:
             break;
         case PointerNews::Kind::kNudged:
-            if (flow_.state().screen == Screen::kJoin && flow_.state().panel == Panel::kNone)
-                flow_.dispatch(Event::pressed(news.button));
-            if (!hand_is_open(flow_.state())) break;
-            flow_.dispatch({Event::Kind::kClayTouched});
+            if (open_finger(flow_.state()) == Finger::kBowl) flow_.dispatch(event::Pressed{news.button});
+            if (!finger_counts(flow_.state())) break;
+            flow_.dispatch(event::ClayTouched{});
             keys_lead_ = true;
-            hand_.key(hand_key(upright(news.button, flow_.state())), side_of(flow_.state()));
+            finger_.key(finger_key(upright(news.button, flow_.state())), side_of(flow_.state()));
             break;
         case PointerNews::Kind::kCornerHeld:
-            flow_.dispatch({Event::Kind::kCornerHeld});
+            flow_.dispatch(event::CornerHeld{});
             break;
         case PointerNews::Kind::kCloseAsked:
-            flow_.dispatch({Event::Kind::kCloseAsked});
+            flow_.dispatch(event::CloseAsked{});
             break;
         case PointerNews::Kind::kStopForce:
             parts_.job.stop_force();
@@ -198,21 +197,20 @@ void VisitInput::take(const VisitMoment& moment) {
     take_devices();
     take_gamepads(moment);
     help_along();
-    if (!hand_is_open(flow_.state())) hand_.release();
+    if (!finger_counts(flow_.state())) finger_.release();
 }
 
 void VisitInput::take_devices() {
     for (const std::string& line : parts_.devices.news())
         flow_.say(line);
-    const bool has_device = parts_.devices.has_hand();
-    if (has_device != had_device_)
-        flow_.dispatch({has_device ? Event::Kind::kDeviceBack : Event::Kind::kDeviceLost});
+    const bool has_device = parts_.devices.has_device();
+    if (has_device != had_device_) flow_.dispatch(event::Device{.is_there = has_device});
     had_device_ = has_device;
-    // Another hand has the tool now: what the finger does from here on is another touch.
+    // Another device has the tool now: what the finger does from here on is another touch.
     const std::string holder = parts_.devices.holder();
-    if (!holder.empty() && holder != holder_) hand_.release();
+    if (!holder.empty() && holder != holder_) finger_.release();
     holder_ = holder;
-    if (parts_.devices.somebody_moved()) flow_.dispatch({Event::Kind::kInput});
+    if (parts_.devices.somebody_moved()) flow_.dispatch(event::Input{});
 }
 
 void VisitInput::take_gamepads(const VisitMoment& moment) {
@@ -226,17 +224,17 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
         pointer_.handle(key, moment.now_s, all);
     for (const PointerNews& news : all)
         take_news(news, moment.now_s);
-    if (request.is_used && keys.empty()) flow_.dispatch({Event::Kind::kInput});
-    if (!hand_is_open(flow_.state())) return;
-    if (request.is_for_clay) flow_.dispatch({Event::Kind::kClayTouched});
-    const double up = flow_.state().screen == Screen::kTrim ? -1.0 : 1.0;
-    hand_.steer(request.step_mm * dvec2(1.0, up), request.presses, *moment.snapshot.pot,
-                side_of(flow_.state()));
-    if (request.radius_steps > 0.5) flow_.dispatch(Event::pressed(Button::kToolMore));
-    if (request.radius_steps < -0.5) flow_.dispatch(Event::pressed(Button::kToolLess));
-    if (request.speed_steps > 0.5) flow_.dispatch(Event::pressed(Button::kSpeedMore));
-    if (request.speed_steps < -0.5) flow_.dispatch(Event::pressed(Button::kSpeedLess));
-    if (request.fresh_lump) flow_.dispatch(Event::pressed(Button::kNewClay));
+    if (request.is_used && keys.empty()) flow_.dispatch(event::Input{});
+    if (!finger_counts(flow_.state())) return;
+    if (request.is_for_clay) flow_.dispatch(event::ClayTouched{});
+    const double up = step_of(flow_.state().screen).finger == Finger::kFoot ? -1.0 : 1.0;
+    finger_.steer(request.step_mm * dvec2(1.0, up), request.presses, *moment.snapshot.pot,
+                  side_of(flow_.state()));
+    if (request.radius_steps > 0.5) flow_.dispatch(event::Pressed{Button::kToolMore});
+    if (request.radius_steps < -0.5) flow_.dispatch(event::Pressed{Button::kToolLess});
+    if (request.speed_steps > 0.5) flow_.dispatch(event::Pressed{Button::kSpeedMore});
+    if (request.speed_steps < -0.5) flow_.dispatch(event::Pressed{Button::kSpeedLess});
+    if (request.fresh_lump) flow_.dispatch(event::Pressed{Button::kNewClay});
 }
 
 }  // namespace onggi::app

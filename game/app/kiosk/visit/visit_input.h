@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "game/app/devices/gamepad_hand.h"
-#include "game/app/kiosk/hand/kiosk_hand.h"
-#include "game/app/kiosk/hand/kiosk_pointer.h"
-#include "game/app/kiosk/visit/visit_drawing.h"
-#include "game/app/kiosk/visit/visit_jar.h"
+#include "game/app/devices/gamepad_finger.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
+#include "game/app/kiosk/finger/kiosk_pointer.h"
 #include "game/app/kiosk/visit/visit_parts.h"
-#include "game/app/kiosk/visit/visit_trim.h"
+#include "game/visit/decorate/visit_drawing.h"
+#include "game/visit/jar/visit_jar.h"
+#include "game/visit/trim/visit_trim.h"
 
 namespace onggi::app {
 
@@ -21,10 +21,10 @@ namespace onggi::app {
 class VisitInput {
   public:
     // All outlive it.
-    VisitInput(const VisitParts& parts, KioskHand& hand, VisitDrawing& drawing, const VisitJar& jar,
-               const VisitTrim& trim, VisitFlow& flow)
+    VisitInput(const VisitParts& parts, KioskFinger& finger, visit::VisitDrawing& drawing,
+               const visit::VisitJar& jar, const visit::VisitTrim& trim, VisitFlow& flow)
         : parts_(parts),
-          hand_(hand),
+          finger_(finger),
           drawing_(drawing),
           jar_(jar),
           trim_(trim),
@@ -48,20 +48,20 @@ class VisitInput {
     // On the pot that is being decorated; false: it is no such news.
     bool take_drawing(const PointerNews& news);
     // On the clay as it stands on the wheel, however it is seen.
-    [[nodiscard]] std::optional<dvec2> hand_place(vec2 px) const;
+    [[nodiscard]] std::optional<dvec2> finger_place(vec2 px) const;
     bool pick_up(vec2 px);
     void take_devices();
     void take_gamepads(const VisitMoment& moment);
     void help_along();  // draws a finger to the outline that is shown
 
     const VisitParts& parts_;
-    KioskHand& hand_;
-    VisitDrawing& drawing_;
-    const VisitJar& jar_;
-    const VisitTrim& trim_;
+    KioskFinger& finger_;
+    visit::VisitDrawing& drawing_;
+    const visit::VisitJar& jar_;
+    const visit::VisitTrim& trim_;
     VisitFlow& flow_;
     KioskPointer pointer_;
-    GamepadHand gamepads_;
+    GamepadFinger gamepads_;
     double hovered_s_ = -1e9;  // when a mouse last moved with no button held
     bool keys_lead_ = false;
     bool had_device_ = false;

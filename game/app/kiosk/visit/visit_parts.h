@@ -4,8 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/haptics/simulated_device.h"
-#include "game/app/devices/hand_devices.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/kiosk/keeping/kiosk_keeper.h"
 #include "game/app/kiosk/keeping/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_settings.h"
@@ -14,7 +13,8 @@
 #include "game/app/kiosk/staff/kiosk_staff.h"
 #include "game/app/system/start_log.h"
 #include "game/haptic/job.h"
-#include "game/kiosk/step.h"
+#include "game/haptic/simulated_device.h"
+#include "game/visit/flow/visit_flow.h"
 #include "game/wheel/live_view.h"
 
 namespace onggi::app {
@@ -26,8 +26,8 @@ constexpr double kLoudestStep = kiosk::kMostVolume;
 struct VisitParts {
     wheel::LiveView& view;
     haptic::HapticJob& job;
-    haptics::SimulatedDevice& hand;
-    HandDevices& devices;
+    haptic::SimulatedDevice& pointer;  // mouse and touch
+    AttachedDevices& devices;
     KioskKeeper& keeper;
     KioskPhone* phone = nullptr;  // null: nothing is taken home by phone
     KioskSound& sound;
@@ -45,32 +45,11 @@ struct VisitMoment {
     const haptic::Snapshot& snapshot;
 };
 
-// Where a visit stands, and how it is taken on: what its parts know of it.
-class VisitFlow {
-  public:
-    [[nodiscard]] virtual const kiosk::State& state() const = 0;
-    // Takes the state on and applies the effects before it returns. Precondition: a frame is being made, to
-    // whose moment the effects are applied.
-    virtual void dispatch(const kiosk::Event& event) = 0;
-    // A line for the log; warn(): of what went wrong and is borne.
-    virtual void say(const std::string& line) = 0;
-    virtual void warn(const std::string& line) = 0;
-
-  protected:
-    VisitFlow() = default;
-    VisitFlow(const VisitFlow&) = default;
-    VisitFlow& operator=(const VisitFlow&) = default;
-    ~VisitFlow() = default;
-};
+using visit::VisitFlow;
 
 // On which side the hand comes to the clay: +1 right, -1 left.
 [[nodiscard]] inline double side_of(const kiosk::State& state) {
     return state.comfort.left_hand ? -1.0 : 1.0;
-}
-
-// The visitor sees the clay, and a touch is meant for it.
-[[nodiscard]] inline bool clay_is_open(const kiosk::State& state) {
-    return state.panel == kiosk::Panel::kNone && state.screen == kiosk::Screen::kThrow;
 }
 
 }  // namespace onggi::app

@@ -5,20 +5,16 @@
 #include <utility>
 
 #include "game/screens/page/layout.h"
+#include "game/visit/throw/throw.h"
 
 namespace onggi::app {
 
 // Over a wall that covers the scene the camera goes where it will be wanted next, unseen.
 void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown,
                             bool covered) {
-    const bool will_cover = state.screen != kiosk::Screen::kAttract &&
-                            state.screen != kiosk::Screen::kThrow && state.screen != kiosk::Screen::kJoin &&
-                            state.screen != kiosk::Screen::kTrim &&
-                            state.screen != kiosk::Screen::kDecorate &&
-                            state.screen != kiosk::Screen::kFailure && state.screen != kiosk::Screen::kResume;
-    if (shown == nullptr || covered) parts_.view.jump();
-    parts_.view.move_less(state.comfort.still);
-    if (will_cover && !covered) return;
+    if (shown == nullptr || covered) parts_.view.scene().jump();
+    parts_.view.scene().move_less(state.comfort.still);
+    if (!visit::step_of(state.screen).shows_scene && !covered) return;
     const BackgroundSight sight{
         .width_px = parts_.view.width(),
         .height_px = parts_.view.height(),
@@ -32,10 +28,10 @@ void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const scr
     request.evening = evening_at(parts_.settings.config, parts_.minute_of_day());
     if (request == aimed_) return;
     aimed_ = request;
-    parts_.view.look_at(request.view);
-    parts_.view.set_framing(request.framing);
+    parts_.view.scene().look_at(request.view);
+    parts_.view.scene().set_framing(request.framing);
     parts_.view.sway(request.sways);
-    parts_.view.set_evening(request.evening);
+    parts_.view.scene().set_evening(request.evening);
 }
 
 SceneEdges VisitScene::edges() const {
@@ -43,7 +39,7 @@ SceneEdges VisitScene::edges() const {
 }
 
 SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& moment,
-                             const wheel::WheelView& shown, const screens::Stage& stage) {
+                             const screens::Stage& stage) {
     if (const std::uint64_t lump = wheel_.lumps_asked(); lump != cued_lump_) {
         cued_lump_ = lump;
         cue_.begin();
@@ -51,25 +47,24 @@ SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& momen
     forces_.look(moment.snapshot, moment.now_s);
     return {.band = warning_band(state, moment.snapshot),
             .cue = cue(state, moment, stage),
-            .forces = forces(state, moment.snapshot, shown)};
+            .forces = forces(state, moment.snapshot)};
 }
 
 // While the first moves are learnt, what the hand feels is shown at the clay; numbers and plots only to who
 // asks.
 std::optional<screens::ForceFrame> VisitScene::forces(const kiosk::State& state,
-                                                      const haptic::Snapshot& snapshot,
-                                                      const wheel::WheelView& shown) const {
-    if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
+                                                      const haptic::Snapshot& snapshot) const {
+    if (visit::open_finger(state) != visit::Finger::kClay) return std::nullopt;
     const bool asked = state.comfort.forces;
     if (!asked && state.throwing.steps_done >= kiosk::kTeachingSteps) return std::nullopt;
-    return forces_.frame(snapshot, shown, sight_of(parts_.view), asked);
+    return forces_.frame(snapshot, sight_of(parts_.view), asked);
 }
 
 // The clay where it carries most.
 std::optional<screens::Band> VisitScene::warning_band(const kiosk::State& state,
                                                       const haptic::Snapshot& snapshot) const {
-    if (state.screen != kiosk::Screen::kThrow || state.throwing.warning == kiosk::Warning::kNone)
-        return std::nullopt;
+    const bool is_clay = visit::step_of(state.screen).finger == visit::Finger::kClay;
+    if (!is_clay || state.throwing.warning == kiosk::Warning::kNone) return std::nullopt;
     constexpr double kHalfHeightMm = 11.0;
     const double middle_mm = std::clamp(snapshot.load.height_mm, kHalfHeightMm,
                                         std::max(kHalfHeightMm, snapshot.pot->height_mm - kHalfHeightMm));
@@ -96,7 +91,7 @@ std::optional<screens::Band> VisitScene::band_round(const pot::Pot& shape, doubl
 
 std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const VisitMoment& moment,
                                             const screens::Stage& stage) {
-    if (drawing_is_open(state)) {
+    if (visit::open_finger(state) == visit::Finger::kBrush) {
         if (!input_.keys_lead() && stage.target_at(input_.pointer().at_px()) >= 0) return std::nullopt;
         screens::Cue dot{.ring = drawing_.ring(input_.keys_lead())};
         return dot.ring.empty() ? std::nullopt : std::optional(dot);
@@ -105,9 +100,9 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
         auto belt = band_round(trim_.pot(), foot->low_mm, foot->high_mm);
         return belt ? std::optional(screens::Cue{.belt = std::move(*belt)}) : std::nullopt;
     }
-    if (state.screen != kiosk::Screen::kThrow || state.panel != kiosk::Panel::kNone) return std::nullopt;
+    if (visit::open_finger(state) != visit::Finger::kClay) return std::nullopt;
     const pot::Pot& shape = *moment.snapshot.pot;
-    if (const auto wire_mm = wheel_.hand().wire_mm()) {
+    if (const auto wire_mm = wheel_.finger().wire_mm()) {
         // Where it would cut: a line, and not a belt.
         constexpr double kHalfMm = 0.5;
         auto line = band_round(shape, *wire_mm - kHalfMm, *wire_mm + kHalfMm);
@@ -119,10 +114,10 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
         hovers_mm = place_at(parts_.view, at_px);
     }
     std::optional<dvec2> marker_mm;
-    if (input_.keys_lead()) marker_mm = wheel_.hand().marker_mm();
+    if (input_.keys_lead()) marker_mm = wheel_.finger().marker_mm();
     std::optional<int> wanted;
-    const bool holds_tool = state.throwing.held != kiosk::Held::kHand;
-    if (kiosk::shows_hint(state, moment.now_s, parts_.settings.rules) && !holds_tool)
+    const bool holds_tool = state.throwing.held != tool::Tool::kHand;
+    if (visit::shows_hint(state, moment.now_s, parts_.settings.rules) && !holds_tool)
         wanted = state.throwing.steps_done;
     const auto place = cue_.look({.now_s = moment.now_s,
                                   .shape = shape,

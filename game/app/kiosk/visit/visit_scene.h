@@ -26,7 +26,7 @@ class VisitScene {
   public:
     // All outlive it.
     VisitScene(const VisitParts& parts, const VisitWheel& wheel, const VisitInput& input,
-               const VisitDrawing& drawing, const VisitTrim& trim)
+               const visit::VisitDrawing& drawing, const visit::VisitTrim& trim)
         : parts_(parts),
           wheel_(wheel),
           input_(input),
@@ -38,15 +38,14 @@ class VisitScene {
     void aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown, bool covered);
     // Where the photographed room ends, as the camera was aimed last.
     [[nodiscard]] SceneEdges edges() const;
-    // Once a frame. pot: of the same snapshot.
+    // Once a frame.
     [[nodiscard]] SceneMarks marks(const kiosk::State& state, const VisitMoment& moment,
-                                   const wheel::WheelView& shown, const screens::Stage& stage);
+                                   const screens::Stage& stage);
 
   private:
     // What the visitor asked to see, or is being taught by; none: nothing.
     [[nodiscard]] std::optional<screens::ForceFrame> forces(const kiosk::State& state,
-                                                            const haptic::Snapshot& snapshot,
-                                                            const wheel::WheelView& shown) const;
+                                                            const haptic::Snapshot& snapshot) const;
     [[nodiscard]] std::optional<screens::Band> warning_band(const kiosk::State& state,
                                                             const haptic::Snapshot& snapshot) const;
     // A stretch of the clay from its left edge to its right, as the camera sees it; none where it sees none.
@@ -60,8 +59,8 @@ class VisitScene {
     const VisitParts& parts_;
     const VisitWheel& wheel_;
     const VisitInput& input_;
-    const VisitDrawing& drawing_;
-    const VisitTrim& trim_;
+    const visit::VisitDrawing& drawing_;
+    const visit::VisitTrim& trim_;
     KioskCamera camera_;
     CameraRequest aimed_;  // as the view was last told
     KioskCue cue_;

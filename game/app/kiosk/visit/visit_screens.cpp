@@ -6,17 +6,19 @@
 
 #include "game/app/kiosk/visit/bench_tools.h"
 #include "game/screens/page/legibility.h"
+#include "game/visit/finish/finish.h"
+#include "game/visit/flow/flow.h"
 
 namespace onggi::app {
 namespace {
 
-// Attract: the throwing, then one pot of a museum, then the wall of the day where there is one, and so on.
-// Where a pot was put on the wall just now, its maker sees it there first.
+// Attract mode: the throwing, then a museum's pot, then the wall of the day if there is one, repeatedly.
+// After a pot was put on the wall, the wall is shown first.
 constexpr double kAttractThrowsS = 25.0;
 constexpr double kAttractPotS = 20.0;
 constexpr double kAttractWallS = 20.0;
 constexpr double kWallIsNewS = 60.0;
-constexpr float kNearPx = 0.5F;  // an outline that has moved by less has not moved
+constexpr float kNearPx = 0.5F;  // smaller motions of an outline are ignored
 
 bool are_near(const std::vector<std::vector<vec2>>& x, const std::vector<std::vector<vec2>>& y) {
     return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const auto& a, const auto& b) {
@@ -24,15 +26,19 @@ bool are_near(const std::vector<std::vector<vec2>>& x, const std::vector<std::ve
     });
 }
 
-}  // namespace
-
-bool kiln_burns(const kiosk::State& state) {
-    return state.screen == kiosk::Screen::kFiring && state.firing == kiosk::FiringStage::kFire &&
-           state.panel == kiosk::Panel::kNone;
+bool is_for_nobody(const kiosk::ScreenState& state) {
+    return visit::step_of(state.screen).whose == visit::Whose::kNobody;
 }
 
+// Also under a panel.
+bool works_clay(const kiosk::ScreenState& state) {
+    return visit::step_of(state.screen).finger == visit::Finger::kClay;
+}
+
+}  // namespace
+
 bool VisitScreens::is_closed(const kiosk::State& state) const {
-    return state.screen == kiosk::Screen::kAttract && state.panel == kiosk::Panel::kNone &&
+    return is_for_nobody(state) && state.panel == kiosk::Panel::kNone &&
            !kiosk::is_open(parts_.settings.config, parts_.minute_of_day());
 }
 
@@ -48,8 +54,8 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     view.distance_mm = config.screen.distance_mm;
     view.own_digits = config.languages.own_digits;
     view.seconds_left = state.panel == kiosk::Panel::kIdle
-                            ? kiosk::seconds_left(state, parts_.settings.rules.countdown_s, moment.now_s)
-                        : state.panel == kiosk::Panel::kPin ? kiosk::pin_seconds_left(state, moment.now_s)
+                            ? visit::seconds_left(state, parts_.settings.rules.countdown_s, moment.now_s)
+                        : state.panel == kiosk::Panel::kPin ? visit::pin_seconds_left(state, moment.now_s)
                                                             : 0;
     view.countdown_s = parts_.settings.rules.countdown_s;
     view.languages = parts_.settings.languages;
@@ -60,15 +66,15 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     add_shelf(view, state);
     view.focus = pointer_.focus();
     view.scans = pointer_.scans();
-    if (config.sound.captions && state.screen == kiosk::Screen::kThrow) view.heard = caption(moment);
-    if (config.sound.captions && kiln_burns(state)) view.heard = "cap.kiln";
+    if (config.sound.captions && works_clay(state)) view.heard = caption(moment);
+    if (config.sound.captions && visit::kiln_burns(state)) view.heard = "cap.kiln";
     add_attract(view, state, moment.now_s);
     view.can_look_in = parts_.view.project_framed(wheel::View::kLookingIn, {}, dvec3(0.0)).has_value();
     view.scene_edges_px = vec3(edges.left, edges.top, edges.right);
     add_scene(view, state, moment.snapshot);
     add_aside(view);
     add_wire(view, moment.snapshot, wire_mm);
-    if (state.screen == kiosk::Screen::kThrow && state.throwing.tray) view.bench = bench_tools(parts_, state);
+    if (works_clay(state) && state.throwing.tray) view.bench = bench_tools(parts_, state);
     if (state.panel == kiosk::Panel::kStaff) {
         desk_.add_to(view, moment.snapshot);
     } else {
@@ -81,7 +87,7 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
 }
 
 void VisitScreens::add_attract(screens::View& view, const kiosk::State& state, double now_s) const {
-    if (state.screen != kiosk::Screen::kAttract) return;
+    if (!is_for_nobody(state)) return;
     const bool has_wall = effects_.wall() && !effects_.wall()->empty() && !is_closed(state);
     const double pot_s = view.exhibits->empty() ? 0.0 : kAttractPotS;
     const double wall_s = has_wall ? kAttractWallS : 0.0;
@@ -100,7 +106,7 @@ void VisitScreens::add_attract(screens::View& view, const kiosk::State& state, d
     }
 }
 
-// The newest stands in the middle already while its maker looks at it.
+// The newest is left out while it is shown in the middle.
 void VisitScreens::add_shelf(screens::View& view, const kiosk::State& state) {
     const bool without_newest = view.pot && state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
     if (!shelf_ || shelf_kept_ != effects_.pots_kept() || shelf_without_newest_ != without_newest) {
@@ -116,7 +122,7 @@ void VisitScreens::add_shelf(screens::View& view, const kiosk::State& state) {
 bool VisitScreens::is_asked(screens::View& view) const {
     constexpr float kWarningPx = 6.0F;
     if (!asked_) return false;
-    // Compared as if they had not moved; asked for as they are.
+    // Ignores their small motions in the comparison, but requests their present places.
     std::vector<std::vector<vec2>> outline_px = view.outline_px;
     const std::optional<vec2> warning_at_px = view.warning_at_px;
     const std::optional<vec2> wire_at_px = view.wire_at_px;
@@ -135,7 +141,7 @@ bool VisitScreens::is_asked(screens::View& view) const {
 
 void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
                              const haptic::Snapshot& snapshot) const {
-    if (state.screen != kiosk::Screen::kThrow) return;
+    if (!works_clay(state)) return;
     const auto seen = [&](const dvec3& place_mm) {
         const auto px = parts_.view.project(place_mm);
         return px ? vec2(*px) : vec2(0.0F);
@@ -143,7 +149,7 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
     const pot::Pot& shape = *snapshot.pot;
     if (state.throwing.warning != kiosk::Warning::kNone) {
         view.thinnest_mm =
-            0.1 * static_cast<double>(std::lround(10.0 * thinnest_wall_mm(shape)));  // as it is said
+            0.1 * static_cast<double>(std::lround(10.0 * thinnest_wall_mm(shape)));  // as displayed
         const bool rtl = (*view.languages)[static_cast<std::size_t>(state.comfort.language)].right_to_left();
         const double radius_mm = wall_at(shape, snapshot.load.height_mm).outer_mm;
         view.warning_at_px = seen({(rtl ? -radius_mm : radius_mm), snapshot.load.height_mm, 0.0});
@@ -166,7 +172,7 @@ void VisitScreens::add_scene(screens::View& view, const kiosk::State& state,
     view.outline_px = {std::move(left), std::move(right), std::move(rim)};
 }
 
-// On the bench to the left of the wheel.
+// Places the bowl on the bench to the left of the wheel.
 void VisitScreens::add_aside(screens::View& view) const {
     constexpr dvec3 kPlaceMm{-335.0, -52.0, -150.0};
     constexpr double kHalfMm = 50.0;
@@ -179,14 +185,14 @@ void VisitScreens::add_aside(screens::View& view) const {
         view.aside.reset();
         return;
     }
-    // Whole pixels: what the camera does meanwhile is not seen.
+    // Whole pixels, so that small camera motions do not change the view.
     view.aside_foot_px = vec2(glm::round(*foot));
     view.aside_px_per_mm = static_cast<float>(std::round(right->x - left->x) / (2.0 * kHalfMm));
 }
 
 void VisitScreens::add_wire(screens::View& view, const haptic::Snapshot& snapshot,
                             const std::optional<double>& wire_mm) const {
-    if (!wire_mm || view.state.screen != kiosk::Screen::kThrow) return;
+    if (!wire_mm || !works_clay(view.state)) return;
     constexpr double kBesideMm = 90.0;
     const auto px = parts_.view.project({kBesideMm, *wire_mm, 0.0});
     if (!px) return;
@@ -194,7 +200,7 @@ void VisitScreens::add_wire(screens::View& view, const haptic::Snapshot& snapsho
     view.wire_at_px = vec2(*px);
 }
 
-// Long enough to be read, however the hand comes and goes.
+// Keeps a caption long enough to be read, even if the hand lifts.
 const std::string& VisitScreens::caption(const VisitMoment& moment) {
     constexpr double kReadS = 1.5;
     const std::string_view heard = caption_key(scene_of(moment.snapshot, 1.0));

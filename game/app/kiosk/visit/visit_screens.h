@@ -5,22 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "game/app/kiosk/hand/kiosk_pointer.h"
+#include "game/app/kiosk/finger/kiosk_pointer.h"
 #include "game/app/kiosk/presentation/kiosk_camera.h"
 #include "game/app/kiosk/staff/staff_desk.h"
 #include "game/app/kiosk/visit/visit_effects.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/screens/composer.h"
+#include "game/visit/steps.h"
 
 namespace onggi::app {
-
-// The glaze kiln is burning before the visitor's eyes.
-[[nodiscard]] bool kiln_burns(const kiosk::State& state);
 
 class VisitScreens {
   public:
     // All outlive it.
-    VisitScreens(const VisitParts& parts, const VisitEffects& effects, const VisitJar& jar,
+    VisitScreens(const VisitParts& parts, const VisitEffects& effects, const visit::VisitJar& jar,
                  const KioskPointer& pointer, StaffDesk& desk)
         : parts_(parts),
           effects_(effects),
@@ -53,10 +51,10 @@ class VisitScreens {
 
     const VisitParts& parts_;
     const VisitEffects& effects_;
-    const VisitJar& jar_;
+    const visit::VisitJar& jar_;
     const KioskPointer& pointer_;
     StaffDesk& desk_;
-    screens::Composer composer_;
+    screens::Composer composer_{visit::compose};
     std::shared_ptr<const screens::View> asked_;
     std::shared_ptr<const std::vector<screens::ShelfPot>> shelf_;
     std::uint64_t shelf_kept_ = 0;  // pots_kept(), and whether the newest was left out, when it was made

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <string>
 
-#include "game/haptic/tools.h"
+#include "game/tool/tool.h"
+#include "game/visit/flow/step.h"
 
 namespace onggi::app {
+
+namespace event = kiosk::event;
+
 namespace {
 
 constexpr double kSunkFraction = 0.8;     // of the height at which it still stood
@@ -17,10 +21,10 @@ double widest_mm(const pot::Pot& shape) {
     return outer.empty() ? 0.0 : 2.0 * double{*std::max_element(outer.begin(), outer.end())};
 }
 
-using kiosk::Button;
-using kiosk::Event;
 using kiosk::Panel;
-using kiosk::Screen;
+using visit::Finger;
+using visit::open_finger;
+using visit::step_of;
 
 }  // namespace
 
@@ -95,7 +99,7 @@ void VisitWheel::put_fresh_clay() {
     // A full ring means that the haptic thread stands still; then the window says nothing new either.
     if (parts_.job.send(haptic::Command::kFreshLump)) ++run_;
     clay_.expect_lump(run_);
-    hand_.leave_clay();
+    finger_.leave_clay();
     ++lumps_asked_;
     shown_.reset();
 }
@@ -124,7 +128,7 @@ bool VisitWheel::play_show(const VisitMoment& moment) {
                             : std::nullopt;
     if (!shown_ || played.value_or(since_s) > length_s + kRestS) begin_show(moment.now_s);
     if (show.gesture)
-        parts_.hand.set_target(show.gesture->at(std::min(moment.now_s - demo_since_s_, length_s)));
+        parts_.pointer.set_target(show.gesture->at(std::min(moment.now_s - demo_since_s_, length_s)));
     return true;
 }
 
@@ -135,26 +139,25 @@ void VisitWheel::rearm_force() {
 void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     const bool touches = snapshot.result.forces.contacts > 0;
     // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
-    if (flow_.state().screen == Screen::kChoose && flow_.state().panel == Panel::kNone && touches &&
-        !parts_.devices.holder().empty()) {
-        flow_.dispatch({Event::Kind::kClayTouched});
+    if (open_finger(flow_.state()) == Finger::kLooks && touches && !parts_.devices.holder().empty()) {
+        flow_.dispatch(event::ClayTouched{});
         return;
     }
-    if (flow_.state().screen != Screen::kThrow) return;
+    if (step_of(flow_.state().screen).finger != Finger::kClay) return;
     // What the wheel's own hands do is not the visitor's touch.
-    const bool holds = parts_.devices.holder().empty() ? hand_.works() && !hand_.shows() : touches;
+    const bool holds = parts_.devices.holder().empty() ? finger_.works() && !finger_.shows() : touches;
     const bool held = flow_.state().pace.held;
-    if (touches && holds) flow_.dispatch({Event::Kind::kClayTouched, Button::kNone, held ? 1 : 0});
-    if (holds != held) flow_.dispatch({Event::Kind::kHeld, Button::kNone, holds ? 1 : 0});
-    if (flow_.state().throwing.shown && !hand_.shows()) flow_.dispatch({Event::Kind::kShowOver});
+    if (touches && holds) flow_.dispatch(event::ClayTouched{.goes_on = held});
+    if (holds != held) flow_.dispatch(event::Held{holds});
+    if (flow_.state().throwing.shown && !finger_.shows()) flow_.dispatch(event::ShowOver{});
     const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);
     clay_is_there_ = news.has_value();
     if (!news) return;
-    flow_.dispatch({Event::Kind::kProgress, Button::kNone, news->steps_done});
-    flow_.dispatch({Event::Kind::kWarned, Button::kNone, static_cast<int>(news->warning)});
+    flow_.dispatch(event::Progress{news->steps_done});
+    flow_.dispatch(event::Warned{news->warning});
     if (!news->gave_way) return;
-    hand_.release();
-    flow_.dispatch({Event::Kind::kCollapsed, Button::kNone, static_cast<int>(*news->gave_way)});
+    finger_.release();
+    flow_.dispatch(event::Collapsed{*news->gave_way});
 }
 
 void VisitWheel::take_fault(const VisitMoment& moment) {
@@ -166,52 +169,50 @@ void VisitWheel::take_fault(const VisitMoment& moment) {
         } else {
             flow_.say("kiosk: the hand has its force again");
         }
-        flow_.dispatch({advice.force_rests ? Event::Kind::kForceRests : Event::Kind::kForceBack});
+        flow_.dispatch(event::Force{.rests = advice.force_rests});
     }
-    if (advice.wheel_rests && flow_.state().screen != Screen::kFault) {
+    const bool is_fault = step_of(flow_.state().screen).whose == visit::Whose::kStaff;
+    if (advice.wheel_rests && !is_fault) {
         flow_.warn("kiosk: the clay's force is no number; the wheel rests");
-        flow_.dispatch({Event::Kind::kFault});
+        flow_.dispatch(event::Fault{});
     }
     if (advice.take_back && advice.wheel_rests) put_fresh_clay();
     if (advice.take_back) rearm_force();
     // Not under the staff's eyes.
-    if (!advice.wheel_rests && flow_.state().screen == Screen::kFault && flow_.state().panel == Panel::kNone)
-        flow_.dispatch({Event::Kind::kFaultOver});
+    if (!advice.wheel_rests && is_fault && flow_.state().panel == Panel::kNone)
+        flow_.dispatch(event::FaultOver{});
 }
 
 void VisitWheel::move_hand(const VisitMoment& moment) {
     // Under the staff's panel nothing moves by itself, so that a hand can be tested.
-    if (flow_.state().panel == Panel::kPin || flow_.state().panel == Panel::kStaff) {
-        parts_.hand.set_target(resting_hand());
+    if (visit::overlay_of(flow_.state().panel).is_staffs) {
+        parts_.pointer.set_target(resting_finger());
         if (demo_runs_ && shown_) put_fresh_clay();
         return;
     }
     if (demo_runs_ && play_show(moment)) return;
     const kiosk::Throwing& throwing = flow_.state().throwing;
-    const bool trims = flow_.state().screen == Screen::kTrim;
-    haptics::ToolState tool = hand_.request({.held = throwing.held,
-                                             .tool = trims ? flow_.state().trimming.loop : throwing.tool,
-                                             .water = throwing.water,
-                                             .speed = throwing.speed,
-                                             .trims = trims},
-                                            *moment.snapshot.pot, moment.dt_s);
-    const bool throws = trims || flow_.state().screen == Screen::kThrow ||
-                        flow_.state().screen == Screen::kFailure || flow_.state().screen == Screen::kChoose ||
-                        flow_.state().screen == Screen::kAttract;
-    tool.wheel_button = throws && flow_.state().panel != Panel::kIdle;
-    parts_.hand.set_target(tool);
+    const visit::Step& step = step_of(flow_.state().screen);
+    const bool trims = step.finger == Finger::kFoot;
+    tool::ToolState tool = finger_.request({.tool = trims ? tool::Tool::kTrimmer : throwing.held,
+                                            .size = trims ? flow_.state().trimming.loop : throwing.tool,
+                                            .water = throwing.water,
+                                            .speed = throwing.speed},
+                                           *moment.snapshot.pot, moment.dt_s);
+    tool.wheel_button = step.turns_wheel && flow_.state().panel != Panel::kIdle;
+    parts_.pointer.set_target(tool);
     soak(moment);
 }
 
 // Each time that the wall has gone round under a sponge, the hands are less wet.
 void VisitWheel::soak(const VisitMoment& moment) {
     const haptic::Snapshot& snapshot = moment.snapshot;
-    const bool soaks = snapshot.tool.tool == haptic::kSponge && snapshot.tool.guided &&
-                       snapshot.result.grip.grip != clay::studio::Grip::kNone && !hand_.shows();
+    const bool soaks = snapshot.tool.tool == tool::Tool::kSponge && snapshot.tool.guided &&
+                       snapshot.result.grip.grip != clay::studio::Grip::kNone && !finger_.shows();
     soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
     if (soaked_rad_ < kTurn) return;
     soaked_rad_ = 0.0;
-    flow_.dispatch({Event::Kind::kSoaked});
+    flow_.dispatch(event::Soaked{});
 }
 
 }  // namespace onggi::app

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "engine/haptics/safety_chain.h"
-#include "game/app/kiosk/hand/kiosk_hand.h"
+#include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/haptic/messages.h"
@@ -90,8 +90,8 @@ class VisitWheel {
     // Where the hand and its tool go next.
     void move_hand(const VisitMoment& moment);
 
-    [[nodiscard]] KioskHand& hand() { return hand_; }
-    [[nodiscard]] const KioskHand& hand() const { return hand_; }
+    [[nodiscard]] KioskFinger& finger() { return finger_; }
+    [[nodiscard]] const KioskFinger& finger() const { return finger_; }
     // What is on the wheel is what was asked for, as far as the last take_clay() on the throwing screen knew.
     [[nodiscard]] bool clay_is_there() const { return clay_is_there_; }
     [[nodiscard]] KioskClay& clay() { return clay_; }
@@ -108,7 +108,7 @@ class VisitWheel {
 
     const VisitParts& parts_;
     VisitFlow& flow_;
-    KioskHand hand_;
+    KioskFinger finger_;
     KioskClay clay_;
     KioskFault fault_;
     bool clay_is_there_ = false;

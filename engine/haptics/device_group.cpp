@@ -1,0 +1,167 @@
+#include "engine/haptics/device_group.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace onggi::haptics {
+
+DeviceGroup::DeviceGroup(std::vector<std::unique_ptr<HapticDevice>> devices,
+                         const DeviceGroupOptions& options)
+    : devices_(std::move(devices)),
+      options_(options),
+      chooser_(options.chooser),
+      samples_(devices_.size()),
+      seen_(devices_.size()) {
+    assert(!devices_.empty());
+    for (const auto& device : devices_)
+        motors_.push_back({.limits = limits_for(device->capabilities()), .state = {}});
+    // The first is there from the start, and the start has the loop's own ramp.
+    motors_.front().state.ramp = 1.0;
+    motors_.front().state.calm_ticks = motors_.front().limits.small_force_ticks + 1;
+}
+
+DeviceCapabilities DeviceGroup::capabilities() const {
+    DeviceCapabilities all = devices_.front()->capabilities();
+    for (const auto& device : devices_) {
+        const DeviceCapabilities one = device->capabilities();
+        if (one.force_axes > 0 && one.has_motors && !one.has_own_walls && one.max_stiffness_n_per_mm > 0.0)
+            all.max_stiffness_n_per_mm = std::min(all.max_stiffness_n_per_mm, one.max_stiffness_n_per_mm);
+    }
+    return all;
+}
+
+Result<void> DeviceGroup::open() {
+    knows_a_place_ = approaches_ = false;
+    for (const auto& pedal : pedals_)
+        (void)pedal->open();
+    for (std::size_t device = 1; device < devices_.size(); ++device)
+        (void)devices_[device]->open();
+    return devices_.front()->open();
+}
+
+void DeviceGroup::close() noexcept {
+    for (const auto& device : devices_)
+        device->close();
+    for (const auto& pedal : pedals_)
+        pedal->close();
+}
+
+namespace {
+
+// In front of the widest work.
+constexpr double kBeforeWorkMm = 180.0;
+
+bool is_in_workspace(const dvec3& place_mm) noexcept {
+    const auto is_within = [](double coordinate_mm) { return std::abs(coordinate_mm) <= kWorkspaceMm; };
+    return is_within(place_mm.x) && is_within(place_mm.y) && is_within(place_mm.z);
+}
+
+// The work turns while anybody wants it to; who came last in the list says how fast.
+void turn_by(HandSample& sample, const HandSample& foot, bool counts) noexcept {
+    if (!counts || !foot.button) return;
+    sample.button = true;
+    sample.rev_min = foot.rev_min;
+}
+
+}  // namespace
+
+HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
+    dt_s_ = dt_s;
+    for (std::size_t device = 0; device < devices_.size(); ++device) {
+        samples_[device] = devices_[device]->read(tick, dt_s);
+        // Who says nonsense is not here: the gate drops its force, and another may take the tool.
+        seen_[device] = {
+            .is_here = devices_[device]->is_here() && is_in_workspace(samples_[device].position_mm),
+            .is_moving = devices_[device]->is_moving()};
+    }
+    const std::size_t before = holder_;
+    holder_ = chooser_.choose(seen_, dt_s);
+    if (holder_ != before) {
+        shown_holder_.store(holder_, std::memory_order_relaxed);
+        // Where a finger is on its plane is most often in the work: a ball comes from before it.
+        if (last_.on_screen) {
+            last_.position_mm.z = kBeforeWorkMm;
+            last_.on_screen = false;
+        }
+        // There is no way back from nonsense: the new holder begins where it is.
+        const bool knows_the_way = knows_a_place_ && is_in_workspace(last_.position_mm);
+        if (knows_the_way) devices_[holder_]->take_over(last_.position_mm);
+        approaches_ = knows_the_way;
+        restart_ramp(motors_[holder_].state);
+    }
+
+    HandSample sample = samples_.front();
+    if (holder_ != 0) {
+        const HandSample& held = samples_[holder_];
+        sample.position_mm = held.position_mm;
+        sample.on_screen = held.on_screen;
+        sample.presses = held.presses;
+        turn_by(sample, held, seen_[holder_].is_here);
+    }
+    bool lives = false;
+    for (std::size_t device = 1; device < devices_.size(); ++device)
+        lives = lives || (seen_[device].is_here && seen_[device].is_moving);
+    for (const auto& pedal : pedals_) {
+        const HandSample foot = pedal->read(tick, dt_s);
+        lives = lives || foot.button;
+        turn_by(sample, foot, true);
+    }
+    // This thread alone writes it.
+    if (lives)
+        signs_of_life_.store(signs_of_life_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+
+    // A finger on a screen has no way through the work to go.
+    approaches_ = approaches_ && !sample.on_screen;
+    if (approaches_) {
+        const dvec3 way = sample.position_mm - last_.position_mm;
+        const double length = std::sqrt(glm::dot(way, way));
+        const double most_mm = options_.fastest_mm_s * dt_s;
+        approaches_ = length > most_mm;
+        if (approaches_) sample.position_mm = last_.position_mm + way * (most_mm / length);
+    }
+    knows_a_place_ = true;
+    return last_ = sample;
+}
+
+void DeviceGroup::write(const dvec3& force_n) noexcept {
+    const SafetyInput input{.position_mm = last_.position_mm, .dt_s = dt_s_};
+    const double written_n = std::sqrt(glm::dot(force_n, force_n));
+    for (std::size_t device = 0; device < devices_.size(); ++device) {
+        Motors& motors = motors_[device];
+        // In and out of use, so that motors cool while another works.
+        const dvec3 wanted_n = device == holder_ ? force_n : dvec3(0.0);
+        const dvec3 given_n = apply_stages(kMotorStages, wanted_n, input, motors.limits, motors.state);
+        const double given_size_n = std::sqrt(glm::dot(given_n, given_n));
+        motors.given_fraction =
+            device == holder_ && written_n > 0.0 ? std::min(1.0, given_size_n / written_n) : 0.0;
+        devices_[device]->write(given_n);
+    }
+}
+
+std::vector<DeviceCapabilities> DeviceGroup::capabilities_of_devices() const {
+    std::vector<DeviceCapabilities> all;
+    for (const auto& device : devices_)
+        all.push_back(device->capabilities());
+    return all;
+}
+
+DeviceSigns DeviceGroup::signs() const noexcept {
+    DeviceSigns signs = devices_[holder_]->signs();
+    signs.position_is_new = signs.position_is_new && seen_[holder_].is_here;
+    signs.hand_is_there = signs.hand_is_there && seen_[holder_].is_here;
+    signs.device = holder_;
+    signs.force_fraction *= motors_[holder_].given_fraction;
+    return signs;
+}
+
+void DeviceGroup::silence() noexcept {
+    for (const auto& device : devices_)
+        device->silence();
+}
+
+void DeviceGroup::feel(const WorkFelt& work) noexcept {
+    devices_[holder_]->feel(work);
+}
+
+}  // namespace onggi::haptics

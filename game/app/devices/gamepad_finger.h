@@ -1,0 +1,59 @@
+// What the sticks and buttons of a gamepad mean at the wheel. Pure state, no window and no clock. Main
+// thread, once a frame. mm, s.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/math/math.h"
+#include "engine/window/events.h"
+#include "engine/window/gamepad.h"
+
+namespace onggi::app {
+
+struct GamepadMapping {
+    double dead_band = 0.15;  // of a stick's travel: worn sticks do not come back to the middle
+    double fastest_mm_s = 160.0;
+    double finer = 0.35;  // fraction of that for the right stick
+    // A trigger presses when it is pulled so far, and until it is let go so far.
+    double pressed_at = 0.5;
+    double released_at = 0.3;
+    double longest_still_s = 60.0;  // a button that is held so long while nothing moves is stuck
+};
+
+// What a pad asks for in one frame.
+struct GamepadRequest {
+    dvec2 step_mm{0.0};         // of the finger on its plane
+    bool is_used = false;       // anything at all
+    bool is_for_clay = false;   // anything but what walks the ring
+    bool presses = false;       // the finger is on the clay
+    double speed_steps = 0.0;   // a faster or slower wheel
+    double radius_steps = 0.0;  // larger or smaller tool
+    bool fresh_lump = false;    // asked once, as are the two below
+    int ring_steps = 0;         // of the ring that walks the buttons, forwards or back
+    bool takes = false;         // the button with the ring is pressed
+};
+
+// What the pad asks of the ring, as the keys that ask the same.
+[[nodiscard]] std::vector<window::KeyEvent> keys_of(const GamepadRequest& request);
+
+class GamepadFinger {
+  public:
+    explicit GamepadFinger(const GamepadMapping& mapping = {}) : mapping_(mapping) {}
+
+    // The request of the pads together, after dt_s. Left stick: to the sides, up and down; right stick: the
+    // same, finely. A or the right trigger presses; bumpers make the wheel slower and faster, the cross up
+    // and down changes the tool's size; Start is a fresh lump. The cross to the sides walks a ring through
+    // the buttons of the screen, and X takes the one that it is on.
+    [[nodiscard]] GamepadRequest request(std::span<const window::Gamepad> pads, double dt_s);
+
+  private:
+    [[nodiscard]] bool presses(bool button, double trigger, bool is_moving, double dt_s);
+
+    GamepadMapping mapping_;
+    bool trigger_presses_ = false;
+    double still_s_ = 0.0;            // since the finger was moved while it presses
+    std::uint32_t last_buttons_ = 0;  // of all pads
+};
+
+}  // namespace onggi::app

@@ -1,0 +1,104 @@
+// A hand in the clay and its tool at one instant: the one form in which gestures, sessions, the tick and the
+// clay speak of it. mm, rev/min.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/haptics/hand_sample.h"
+#include "engine/math/math.h"
+#include "game/tool/tool.h"
+
+namespace onggi::tool {
+
+// Limits of every tool: of gestures, sessions, devices and keys.
+constexpr double kMinToolRadiusMm = 2.0;
+constexpr double kMaxToolRadiusMm = 40.0;
+constexpr double kMaxWheelSpeedRevMin = 300.0;
+constexpr double kMaxAssistGapMm = 60.0;
+
+// The other hand, where there is one.
+struct SecondHand {
+    bool present = false;
+    Tool tool = Tool::kHand;
+    double radius_mm = 10.0;              // kMinToolRadiusMm to kMaxToolRadiusMm
+    dvec3 position_mm{0.0, 1000.0, 0.0};  // within the workspace
+
+    friend bool operator==(const SecondHand&, const SecondHand&) = default;
+};
+
+// The first three fields are a plain tool, which is all that the paper's clay knows. The defaults of the rest
+// are a bare hand at an electric wheel.
+struct ToolState {
+    dvec3 position_mm{0.0};     // centre of the tool's sphere, the haptic interface point; wheel frame, +Y up
+    double radius_mm = 10.0;    // kMinToolRadiusMm to kMaxToolRadiusMm
+    bool wheel_button = false;  // held: the wheel turns
+
+    Tool tool = Tool::kHand;  // one of the first kClayTools
+    Side side = Side::kFree;
+    double water = 0.0;  // how wet the hand or its tool is, 0 dry to 1 dripping
+    Wire wire = Wire::kNone;
+    double wire_height_mm = 0.0;         // 0 to 1000
+    double wheel_speed_rev_min = 120.0;  // of the pedal while the button is held; 0 to kMaxWheelSpeedRevMin
+    // The assist: a second hand held opposite the first across the wall. It rests there, and squeezes while
+    // the first hand climbs, until their surfaces are this far apart. Used only without a second hand; 0
+    // switches it off. At most kMaxAssistGapMm.
+    double assist_gap_mm = 0.0;
+    double shaft_mm = 0.0;  // hand inside: radius of the arm above the ball; 0 to kMaxToolRadiusMm
+    SecondHand second{};
+    // The place is that of a finger on the upright plane through the axis (x, y), which skilled hands follow;
+    // not that of a ball in the clay.
+    bool guided = false;
+    bool pressing = true;  // a hand that does not press is not in the clay
+
+    friend bool operator==(const ToolState&, const ToolState&) = default;
+};
+
+// The paper's clay knows neither sides nor tools: all but a plain tool as by default.
+[[nodiscard]] inline ToolState plain_tool(const ToolState& tool) noexcept {
+    return {.position_mm = tool.position_mm, .radius_mm = tool.radius_mm, .wheel_button = tool.wheel_button};
+}
+
+// What a device reads of that hand, and the hand where a device reads it: only a device's share of the state.
+[[nodiscard]] inline haptics::HandSample sample_of(const ToolState& tool) noexcept {
+    return {.position_mm = tool.position_mm,
+            .button = tool.wheel_button,
+            .rev_min = tool.wheel_speed_rev_min,
+            .on_screen = tool.guided,
+            .presses = tool.pressing};
+}
+[[nodiscard]] inline ToolState moved_by(const haptics::HandSample& sample, ToolState tool) noexcept {
+    tool.position_mm = sample.position_mm;
+    tool.wheel_button = sample.button;
+    tool.wheel_speed_rev_min = sample.rev_min;
+    tool.guided = sample.on_screen;
+    tool.pressing = sample.presses;
+    return tool;
+}
+
+// The tool brought within the limits, so that a recording never holds one that no reader would take. What is
+// not a finite number is replaced by the last good tool's. Any thread; fit for the tick.
+[[nodiscard]] inline ToolState within_limits(const ToolState& tool, const ToolState& last_good) noexcept {
+    const auto place = [](const dvec3& at, const dvec3& last) {
+        const bool finite = std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);
+        return finite ? glm::clamp(at, -haptics::kWorkspaceMm, haptics::kWorkspaceMm) : last;
+    };
+    const auto number = [](double value, double least, double most, double last) {
+        return std::isfinite(value) ? std::clamp(value, least, most) : last;
+    };
+    ToolState good = tool;
+    good.position_mm = place(tool.position_mm, last_good.position_mm);
+    good.radius_mm = number(tool.radius_mm, kMinToolRadiusMm, kMaxToolRadiusMm, last_good.radius_mm);
+    good.wire_height_mm = number(tool.wire_height_mm, 0.0, haptics::kWorkspaceMm, last_good.wire_height_mm);
+    good.wheel_speed_rev_min =
+        number(tool.wheel_speed_rev_min, 0.0, kMaxWheelSpeedRevMin, last_good.wheel_speed_rev_min);
+    good.assist_gap_mm = number(tool.assist_gap_mm, 0.0, kMaxAssistGapMm, last_good.assist_gap_mm);
+    good.water = number(tool.water, 0.0, 1.0, last_good.water);
+    good.shaft_mm = number(tool.shaft_mm, 0.0, kMaxToolRadiusMm, last_good.shaft_mm);
+    good.second.position_mm = place(tool.second.position_mm, last_good.second.position_mm);
+    good.second.radius_mm =
+        number(tool.second.radius_mm, kMinToolRadiusMm, kMaxToolRadiusMm, last_good.second.radius_mm);
+    return good;
+}
+
+}  // namespace onggi::tool

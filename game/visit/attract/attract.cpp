@@ -1,0 +1,318 @@
+// Attract: the wheel throws by itself, in turns with a pot of a museum and the wall of the day. A visit
+// begins with any sign of life.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "game/visit/flow/turn.h"
+
+namespace onggi::visit {
+namespace {
+
+using ui::Rect;
+
+constexpr float kLit = 1.0F;
+constexpr float kDimmed = 0.74F;  // the others, beside the newest
+constexpr float kMostGap = 90.0F;
+constexpr float kLeastGap = 14.0F;
+constexpr float kWallSide = 36.0F;
+
+// Shelves, and how many pots stand on one.
+struct Boards {
+    int count;
+    int pots;
+    float first_y;
+    float step;
+    float scale;  // u a mm, where the pots leave it so large
+};
+
+Boards boards_of(const Page& page, int pots) {
+    const int a_row = page.by_shape(9, 7, 4);
+    const int most = page.is_tall() ? 4 : 3;
+    const int rows = std::clamp((pots + a_row - 1) / a_row, page.is_tall() ? 3 : 2, most);
+    const float top = page.is_tall() ? 120.0F : 88.0F;
+    const float bottom = page.height() - (page.is_tall() ? 200.0F : 156.0F);
+    const float step = (bottom - top) / static_cast<float>(rows);
+    return {rows, a_row, top + step, step, page.is_tall() ? 0.92F : 0.8F};
+}
+
+// One scale for all, so that the highest fits under the next board and the widest row on its own.
+float scale_of(const Page& page, const std::vector<ShelfPot>& pots, const Boards& boards) {
+    float scale = boards.scale;
+    for (std::size_t first = 0; first < pots.size(); first += static_cast<std::size_t>(boards.pots)) {
+        const std::size_t end = std::min(pots.size(), first + static_cast<std::size_t>(boards.pots));
+        float wide_mm = 0.0F;
+        for (std::size_t i = first; i < end; ++i) {
+            wide_mm += 2.0F * pots[i].shape.radius_mm();
+            scale = std::min(scale, (boards.step - 52.0F) / std::max(1.0F, pots[i].shape.height_mm() * 1.1F));
+        }
+        const float room = page.width() - 2.0F * kWallSide - kLeastGap * static_cast<float>(end - first - 1);
+        scale = std::min(scale, room / std::max(1.0F, wide_mm));
+    }
+    return scale;
+}
+
+void just_made(Page& page, vec2 foot, int language) {
+    const Words words{.text = page.language(language).shown("wall.new"),
+                      .type = design::bold(26.0F, 36.0F),
+                      .colour = design::kSlip,
+                      .align = ui::Align::kCentre,
+                      .language = language};
+    const float wide = page.words_width(words) + 44.0F;
+    const float x = std::clamp(foot.x - 0.5F * wide, 12.0F, page.width() - wide - 12.0F);
+    const Rect chip{x, foot.y + 24.0F, wide, 42.0F};
+    ui::Sketch sketch;
+    sketch.add(ui::Box{.rect = {0.0F, 0.0F, chip.width, chip.height},
+                       .radius = 0.5F * chip.height,
+                       .fill = ui::Fill::flat(design::kNight)});
+    page.sprite(chip, std::move(sketch));
+    page.fixed_words({chip.x, chip.y + 3.0F, chip.width, 36.0F}, words);
+}
+
+void draw_wall(Page& page) {
+    const View& view = page.view();
+    const std::vector<ShelfPot>& all = *view.wall;
+    const Boards boards = boards_of(page, static_cast<int>(all.size()));
+    // The newest of them, where there is no room for all.
+    const auto room = static_cast<std::size_t>(boards.count * boards.pots);
+    const std::vector<ShelfPot> pots(all.end() - static_cast<std::ptrdiff_t>(std::min(room, all.size())),
+                                     all.end());
+    const float width = page.width();
+    const int language = view.attract_turn % static_cast<int>(view.languages->size());
+    const bool rtl = page.language(language).right_to_left();
+    const float scale = scale_of(page, pots, boards);
+    // Where each stands: rows from the top, by the time they were made.
+    std::vector<vec2> feet;
+    for (std::size_t first = 0; first < pots.size(); first += static_cast<std::size_t>(boards.pots)) {
+        const std::size_t end = std::min(pots.size(), first + static_cast<std::size_t>(boards.pots));
+        float wide = 0.0F;
+        for (std::size_t i = first; i < end; ++i)
+            wide += 2.0F * pots[i].shape.radius_mm() * scale;
+        const auto gaps = static_cast<float>(end - first + 1);
+        const float gap = std::min(kMostGap, std::max(kLeastGap, (width - 2.0F * kWallSide - wide) / gaps));
+        float x = 0.5F * (width - wide - gap * (gaps - 2.0F));
+        const float y =
+            boards.first_y + boards.step * static_cast<float>(first) / static_cast<float>(boards.pots);
+        for (std::size_t i = first; i < end; ++i) {
+            const float radius = pots[i].shape.radius_mm() * scale;
+            feet.emplace_back(rtl ? width - x - radius : x + radius, y + 8.0F);
+            x += 2.0F * radius + gap;
+        }
+    }
+    const vec2 lit = view.wall_is_new ? feet.back() : vec2(0.5F * width, boards.first_y);
+    page.museum({lit.x, lit.y - 60.0F}, view.wall_is_new ? vec2(190.0F, 190.0F) : vec2(0.5F * width, 300.0F),
+                view.wall_is_new ? 0.4F : 0.22F);
+    for (int board = 0; board < boards.count; ++board)
+        page.shelf(boards.first_y + boards.step * static_cast<float>(board), 26.0F);
+    for (std::size_t i = 0; i < pots.size(); ++i) {
+        const finish::GlazeMaterial& glaze = finish::glaze_at(pots[i].glaze);
+        if (view.wall_is_new && i + 1 == pots.size()) {
+            page.keep_clear(page.turning_pot(pots[i].shape, glaze, scale, feet[i]));
+        } else {
+            page.keep_clear(
+                page.pot(pots[i].shape, glaze, scale, feet[i], view.wall_is_new ? kDimmed : kLit));
+        }
+    }
+    if (view.wall_is_new) just_made(page, lit, language);
+    const bool tall = page.is_tall();
+    const auto start = tall ? ui::Align::kCentre : ui::Align::kStart;
+    page.words({kWallSide, 22.0F, width - 2.0F * kWallSide, 66.0F},
+               {.text = page.language(language).shown("wall.title"),
+                .type = design::serif(46.0F, 62.0F, 34.0F),
+                .colour = design::kSlip,
+                .align = start,
+                .language = language});
+    const float y = page.height() - (tall ? 112.0F : 74.0F);
+    const float half = tall ? width - 2.0F * kWallSide : 0.5F * width - kWallSide - 10.0F;
+    const auto line = [&](const Rect& rect, std::string text, ui::Align align, bool bold) {
+        page.words(rect, {.text = std::move(text),
+                          .type = {28.0F, 38.0F, bold ? design::Face::kBold : design::Face::kPlain, 20.0F},
+                          .colour = bold ? design::kSlip : design::kSlip2,
+                          .align = align,
+                          .language = language});
+    };
+    line({rtl && !tall ? width - kWallSide - half : kWallSide, y, half, 42.0F},
+         page.language(language).shown("wall.count", page.digits(std::to_string(pots.size()), language)),
+         start, true);
+    line({tall  ? kWallSide
+          : rtl ? kWallSide
+                : width - kWallSide - half,
+          tall ? y + 42.0F : y, half, 42.0F},
+         page.language(language).shown("wall.clear"), tall ? ui::Align::kCentre : ui::Align::kEnd, false);
+}
+
+constexpr ui::Colour kClear = design::kNight.with_alpha(0.0F);
+
+// What waits for the next visitor is large already, whatever the one before wished: it keeps its size.
+// "Touch to begin" in every language at equal size, in the configuration's order.
+void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) {
+    const int count = static_cast<int>(page.view().languages->size());
+    for (int place = 0; place < count; ++place) {
+        const Words words{.text = page.language(place).shown("attract.touch"),
+                          .type = design::serif(size, std::round(1.34F * size)),
+                          .colour = design::kWhiteSlip,
+                          .align = align == ui::Align::kStart && page.language(place).right_to_left()
+                                       ? ui::Align::kEnd
+                                       : align,
+                          .language = place};
+        const float used = page.fixed_words(rect, words);
+        rect.y += used + gap;
+        rect.height -= used + gap;
+    }
+    if (align != ui::Align::kStart) return;
+    page.box({rect.x, rect.y + 10.0F, 56.0F, 5.0F},
+             {design::kAmber, design::kAmber, design::kAmber, design::kAmber});
+    rect.y += 40.0F;
+    for (int place = 0; place < std::min(2, count); ++place) {
+        const float used = page.fixed_words(
+            {rect.x, rect.y, rect.width, 84.0F},
+            {.text = page.language(place).shown("attract.line"),
+             .type = design::kLine,
+             .colour = design::kSlip3,
+             .align = page.language(place).right_to_left() ? ui::Align::kEnd : ui::Align::kStart,
+             .language = place});
+        rect.y += used;
+    }
+}
+
+// That nobody's pot is being made: there is room for one language at a time, so each has its turn.
+void wheel_shows(Page& page, const Rect& rect) {
+    const int place = page.view().attract_turn % static_cast<int>(page.view().languages->size());
+    page.words(rect, {.text = page.language(place).shown("attract.auto"),
+                      .type = design::kLine,
+                      .colour = design::kSlip3,
+                      .align = page.language(place).right_to_left() ? ui::Align::kEnd : ui::Align::kStart,
+                      .language = place});
+}
+
+// What it is, when and where from, and how high, in one language.
+void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int language) {
+    const Language& tongue = page.language(language);
+    const float name =
+        page.fixed_words({rect.x, rect.y, rect.width, 38.0F}, {.text = tongue.shown(exhibit.name_key),
+                                                               .type = design::bold(30.0F, 38.0F),
+                                                               .align = ui::Align::kCentre,
+                                                               .language = language});
+    const std::string text =
+        fmt::format("{}\n{} \u00b7 {}", tongue.shown(exhibit.museum_key), tongue.shown(exhibit.date_key),
+                    page.whole_mm(exhibit.height_mm, language));
+    page.fixed_words({rect.x, rect.y + name, rect.width, rect.height - name}, {.text = text,
+                                                                               .type = design::kLabel,
+                                                                               .colour = design::kSlip2,
+                                                                               .align = ui::Align::kCentre,
+                                                                               .language = language});
+}
+
+// In every language side by side, as far as there is room; in a narrow picture one after the other.
+void heritage_labels(Page& page, const Exhibit& exhibit, float y) {
+    constexpr float kHigh = 104.0F;
+    constexpr float kGap = 16.0F;
+    const int count = static_cast<int>(page.view().languages->size());
+    if (page.shape() != Shape::kWide) {
+        heritage_label(page, exhibit, {40.0F, y, page.width() - 80.0F, kHigh},
+                       page.view().attract_turn % count);
+        return;
+    }
+    const int columns = std::min(count, 3);
+    const float wide =
+        (page.width() - 64.0F - kGap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    for (int i = 0; i < columns; ++i) {
+        const float x = 32.0F + (wide + kGap) * static_cast<float>(i);
+        heritage_label(page, exhibit, {x, y, wide, kHigh}, i);
+    }
+}
+
+void attract_heritage(Page& page, const Exhibit& exhibit) {
+    const float width = page.width();
+    const float height = page.height();
+    const bool wide = page.shape() == Shape::kWide;
+    const float shelf_y = page.by_shape(556.0F, 428.0F, 780.0F);
+    const vec2 foot(wide ? 0.64F * width : 0.5F * width, shelf_y + 8.0F);
+    page.museum({foot.x, 0.42F * height}, {0.46F * width, 0.62F * height}, 0.26F);
+    page.shelf(shelf_y, 40.0F);
+    page.down({0.0F, shelf_y + 40.0F, width, height - shelf_y - 40.0F}, ui::hex(0x1a120c), ui::hex(0x241a13));
+    const float most = page.by_shape(460.0F, 340.0F, 560.0F);
+    const float scale = std::min(1.58F, most / static_cast<float>(exhibit.height_mm));
+    page.keep_clear(page.turning_pot(exhibit.shape, finish::glaze_at(exhibit.glaze), scale, foot));
+    if (wide) {
+        begin_lines(page, {64.0F, 80.0F, 330.0F, 440.0F}, 50.0F, ui::Align::kStart, 22.0F);
+    } else {
+        const bool tall = page.is_tall();
+        begin_lines(page, {50.0F, tall ? 960.0F : 592.0F, width - 100.0F, tall ? 250.0F : 172.0F},
+                    tall ? 50.0F : 40.0F, ui::Align::kCentre, 0.0F);
+    }
+    heritage_labels(page, exhibit, shelf_y + 48.0F);
+}
+
+void draw_attract(Page& page) {
+    const View& view = page.view();
+    if (view.wall) return draw_wall(page);
+    const int exhibit = view.attract_exhibit;
+    if (exhibit >= 0 && exhibit < static_cast<int>(view.exhibits->size())) {
+        attract_heritage(page, (*view.exhibits)[static_cast<std::size_t>(exhibit)]);
+        return;
+    }
+    const float width = page.width();
+    const float height = page.height();
+    const auto night = [](float alpha) { return design::kNight.with_alpha(alpha); };
+    page.scene_ends();
+    if (page.shape() == Shape::kWide) {
+        page.across({0.0F, 0.0F, 0.24F * width, height}, night(0.94F), night(0.88F));
+        page.across({0.24F * width, 0.0F, 0.18F * width, height}, night(0.88F), night(0.45F));
+        page.across({0.42F * width, 0.0F, 0.14F * width, height}, night(0.45F), kClear);
+        page.down({0.0F, 0.7F * height, width, 0.3F * height}, kClear, night(0.55F));
+        begin_lines(page, {64.0F, 128.0F, 400.0F, 400.0F}, 50.0F, ui::Align::kStart, 26.0F);
+        wheel_shows(page, {64.0F, height - 104.0F, 400.0F, 80.0F});
+    } else if (page.is_tall()) {
+        page.down({0.0F, 0.0F, width, 0.22F * height}, night(0.30F), kClear);
+        page.down({0.0F, 0.56F * height, width, 0.17F * height}, kClear, night(0.94F));
+        page.down({0.0F, 0.73F * height, width, 0.27F * height}, night(0.94F), night(1.0F));
+        begin_lines(page, {50.0F, 980.0F, width - 100.0F, 270.0F}, 58.0F, ui::Align::kCentre, 8.0F);
+    } else {
+        page.down({0.0F, 0.0F, width, 0.25F * height}, night(0.25F), kClear);
+        page.down({0.0F, 0.52F * height, width, 0.18F * height}, kClear, night(0.92F));
+        page.down({0.0F, 0.70F * height, width, 0.30F * height}, night(0.92F), night(0.97F));
+        begin_lines(page, {60.0F, 548.0F, width - 120.0F, 200.0F}, 48.0F, ui::Align::kCentre, 2.0F);
+    }
+}
+
+void press_attract(Turn& turn, const event::Pressed& /*pressed*/) {
+    turn.begin_visit();
+}
+
+void take_attract(Turn& turn, const Event& event) {
+    const bool lives =
+        std::holds_alternative<event::Input>(event) || std::holds_alternative<event::ClayTouched>(event);
+    if (!lives) return;
+    turn.begin_visit();
+    turn.take(event);
+}
+
+// Attract never ends by itself; somebody who only looked at the languages has gone again.
+void pass_attract(Turn& turn) {
+    const State& state = turn.state;
+    if (state.panel == Panel::kLanguage && turn.now_s - state.input_s >= turn.rules.idle_s) turn.end_visit();
+}
+
+std::string_view spoken_in_attract(const State& /*state*/) {
+    return "attract.touch";
+}
+
+}  // namespace
+
+extern constinit const Step kAttractStep{.screen = Screen::kAttract,
+                                         .name = "attract",
+                                         .whose = Whose::kNobody,
+                                         .press = press_attract,
+                                         .take = take_attract,
+                                         .tick = pass_attract,
+                                         .draw = draw_attract,
+                                         .spoken = spoken_in_attract,
+                                         .camera = Camera::kAttract,
+                                         .shows_scene = true,
+                                         .turns_wheel = true};
+
+}  // namespace onggi::visit

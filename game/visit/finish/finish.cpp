@@ -1,0 +1,363 @@
+// From the wheel to the glaze: the pot is cut off and dried, fired once it is decorated, and glazed.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "game/visit/finish/finish.h"
+#include "game/visit/flow/turn.h"
+
+namespace onggi::visit {
+namespace {
+
+using ui::Rect;
+
+// As it dries it pales; in the kiln it glows.
+const finish::GlazeMaterial& dry_clay() {
+    static const finish::GlazeMaterial clay = [] {
+        finish::GlazeMaterial made = finish::wet_clay();
+        made.id = "dry";
+        made.body = made.colour = vec3(0.58F, 0.47F, 0.36F);
+        made.thin_colour = vec3(0.66F, 0.55F, 0.43F);
+        made.clear_coat = 0.0F;
+        made.roughness = 0.9F;
+        return made;
+    }();
+    return clay;
+}
+
+const finish::GlazeMaterial& glowing_clay() {
+    static const finish::GlazeMaterial clay = [] {
+        finish::GlazeMaterial made = dry_clay();
+        made.id = "glowing";
+        made.body = made.colour = vec3(1.35F, 0.42F, 0.13F);
+        made.thin_colour = vec3(1.6F, 0.62F, 0.22F);
+        // What was drawn glows too, the dark a little less.
+        finish::MarkPalette& marks = made.marks;
+        for (vec3* colour :
+             {&marks.white_slip, &marks.black_slip, &marks.iron, &marks.cobalt, &marks.coat, &marks.finger}) {
+            const float light = glm::dot(*colour, vec3(0.21F, 0.72F, 0.07F));
+            *colour = made.colour * (0.62F + 0.7F * light);
+        }
+        return made;
+    }();
+    return clay;
+}
+
+// The mouth of the kiln, drawn about the middle of its floor.
+void kiln(Page& page, vec2 floor, float scale) {
+    page.covers();
+    const float width = page.width();
+    const float height = page.height();
+    const Rect all{0.0F, 0.0F, width, height};
+    page.box(all, {ui::hex(0x1b0f09), ui::hex(0x1b0f09), ui::hex(0x1b0f09), ui::hex(0x1b0f09)});
+    const float half = 330.0F * scale;
+    const float tall = 510.0F * scale;
+    const Rect field{floor.x - half, floor.y - tall, 2.0F * half, tall + 4.0F};
+    // Wider than most screens; painted is what is seen of it.
+    const Rect shine{floor.x - 2.0F * half, floor.y - 1.75F * tall, 4.0F * half, 2.6F * tall};
+    const Rect seen = ui::overlap(shine, all);
+    ui::Sketch glow;
+    glow.add(ui::Ellipse{{shine.x - seen.x, shine.y - seen.y, shine.width, shine.height},
+                         ui::Fill::round(ui::hex(0xc2561c, 0.85F), ui::hex(0x1b0f09, 0.0F))});
+    page.sprite(seen, std::move(glow));
+    ui::Sketch sketch;
+    // In a field of 660 x 510: arch and bricks.
+    const ui::Placing placing{.at = {0.0F, 0.0F}, .scale = vec2(scale)};
+    const char* const kMouth = "M60 510 V280 C60 110 170 34 330 34 C490 34 600 110 600 280 V510 Z";
+    sketch.add(ui::Shape{.path = kMouth, .placing = placing, .fill = ui::hex(0xb84f18)});
+    sketch.add(ui::Ellipse{Rect{110.0F, 110.0F, 440.0F, 480.0F}.scaled(scale),
+                           ui::Fill::round(ui::hex(0xffb35a), ui::hex(0xc8571b, 0.0F))});
+    sketch.add(ui::Shape{.path = "M60 510 V280 C60 110 170 34 330 34 C490 34 600 110 600 280 V510",
+                         .placing = placing,
+                         .stroke = ui::hex(0x2a150b),
+                         .stroke_width = 46.0F});
+    std::string bricks;
+    for (int i = 0; i <= 14; ++i) {
+        const float angle = kPiF * (1.0F - static_cast<float>(i) / 14.0F);
+        const auto point = [&](float rx, float ry) {
+            const float x = 330.0F + rx * std::cos(angle);
+            const float y = 280.0F - ry * std::sin(angle);
+            return std::to_string(std::lround(x)) + " " + std::to_string(std::lround(y));
+        };
+        bricks += "M" + point(247.0F, 222.0F) + " L" + point(293.0F, 269.0F) + " ";
+    }
+    bricks += "M37 350 H83 M577 350 H623 M37 420 H83 M577 420 H623 M37 490 H83 M577 490 H623";
+    sketch.add(ui::Shape{
+        .path = bricks, .placing = placing, .stroke = ui::hex(0x4d2612, 0.9F), .stroke_width = 3.0F});
+    page.sprite(field, std::move(sketch));
+}
+
+float fitting_scale(const pot::Section& shape, float box_width, float box_height) {
+    const float across = 2.0F * std::max(1.0F, shape.radius_mm());
+    const float up = std::max(1.0F, shape.height_mm()) + 0.24F * shape.radius_mm();
+    return std::min((box_width - 16.0F) / across, (box_height - 16.0F) / up);
+}
+
+// Where words and tokens of the glaze screen stand, before mirroring.
+struct GlazePlaces {
+    Rect line;
+    Rect hides;
+    Rect decorate;
+    Rect take;
+    Rect languages;  // brought low
+};
+
+GlazePlaces glaze_places(const Page& page, float shelf_y) {
+    const float right = page.width() - 32.0F;
+    const float down = page.lower_by();
+    switch (page.shape()) {
+        case Shape::kTall: {
+            // Brought low, the languages stand in the row too.
+            const float wide = right - 318.0F - (page.is_low() ? 166.0F : 0.0F);
+            return {.line = {40.0F, down + shelf_y + 40.0F, right - 48.0F, 44.0F},
+                    .hides = {40.0F, down + shelf_y + 86.0F, right - 48.0F, 44.0F},
+                    .decorate = {32.0F, down + shelf_y + 140.0F, 270.0F, 80.0F},
+                    .take = {318.0F, down + shelf_y + 140.0F, wide, 80.0F},
+                    .languages = {right - 150.0F, down + shelf_y + 150.0F, 150.0F, 60.0F}};
+        }
+        case Shape::kSquare:
+            return {.line = {right - 300.0F, down + 104.0F, 300.0F, 174.0F},
+                    .hides = {right - 300.0F, down + 282.0F, 300.0F, 96.0F},
+                    .decorate = {right - 236.0F, down + 384.0F, 236.0F, 60.0F},
+                    .take = {right - 236.0F, down + 454.0F, 236.0F, 66.0F},
+                    .languages = {32.0F, down + 397.0F, 150.0F, 60.0F}};
+        case Shape::kWide:
+            break;
+    }
+    return {.line = {right - 340.0F, down + 176.0F, 340.0F, 118.0F},
+            .hides = {right - 340.0F, down + 296.0F, 340.0F, 76.0F},
+            .decorate = {page.is_low() ? 198.0F : 32.0F, down + 376.0F, 236.0F, 74.0F},
+            .take = {right - 220.0F, down + 376.0F, 220.0F, 74.0F},
+            .languages = {32.0F, down + 383.0F, 150.0F, 60.0F}};
+}
+
+// What the glaze is; and to who drew on the pot, what it does to that.
+void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMaterial& glaze) {
+    const auto& pot = page.view().pot;
+    const bool was_made_for_it = pot && pot->drawn_with.inlaid && glaze.glaze == finish::Glaze::kCeladon;
+    Words words{.text = page.t(was_made_for_it ? "glz.line.inlay" : glaze.line_key), .type = {27.0F, 38.0F}};
+    if (page.is_tall()) words.align = ui::Align::kCentre;
+    const bool hides = pot && finish::hides(glaze, pot->drawn_with);
+    Rect line = places.line;
+    if (!hides) line.height = places.hides.bottom() - line.y;  // nothing comes below
+    page.words(page.mirrored(line), words);
+    if (!hides) return;
+    words.text = page.t("glz.hides");
+    words.type = words.type.bold_if(true);
+    page.words(page.mirrored(places.hides), words);
+}
+
+void draw_firing(Page& page) {
+    const View& view = page.view();
+    const FiringStage stage = view.state.firing;
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.is_tall();
+    const float words_y = height - (tall ? 330.0F : 124.0F);
+    const vec2 floor(0.5F * width, tall ? 820.0F : height - 160.0F);
+    const float kiln_scale = tall ? 0.95F : 1.0F;
+    if (stage == FiringStage::kFire) {
+        kiln(page, floor, kiln_scale);
+    } else {
+        page.museum({floor.x, 0.4F * height}, {0.4F * width, 0.6F * height}, 0.22F);
+        page.shelf(floor.y - 12.0F, 36.0F);
+    }
+    if (view.pot) {
+        const float scale = std::min(2.4F, fitting_scale(view.pot->shape, 420.0F, tall ? 560.0F : 440.0F));
+        const finish::GlazeMaterial& clay = stage == FiringStage::kCut   ? finish::wet_clay()
+                                            : stage == FiringStage::kDry ? dry_clay()
+                                                                         : glowing_clay();
+        // It shrinks as it dries.
+        const float shrunk = stage == FiringStage::kCut ? 1.0F : stage == FiringStage::kDry ? 0.95F : 0.9F;
+        page.keep_clear(page.pot(view.pot->shape, clay, scale * shrunk, floor));
+    }
+    page.down({0.0F, words_y - 66.0F, width, 66.0F}, ui::hex(0x1b0f09, 0.0F), ui::hex(0x1b0f09, 0.93F));
+    page.down({0.0F, words_y, width, height - words_y}, ui::hex(0x1b0f09, 0.93F), ui::hex(0x1b0f09));
+    constexpr std::array kKeys{"fin.cut", "fin.dry", "fin.fire"};
+    const float column = tall ? 218.0F : std::min(230.0F, (width - 264.0F) / 3.0F);
+    const float left =
+        tall ? 33.0F : std::max(32.0F, 0.5F * width - 1.5F * column - (width < 1200.0F ? 100.0F : 0.0F));
+    for (int i = 0; i < 3; ++i) {
+        const bool now = i == static_cast<int>(stage);
+        const bool past = i < static_cast<int>(stage);
+        const Rect place =
+            page.mirrored({left + static_cast<float>(i) * column, words_y + 4.0F, column - 10.0F, 48.0F});
+        Words words{.text = page.t(kKeys[static_cast<std::size_t>(i)]),
+                    .type = {now ? 34.0F : 28.0F, 44.0F, now ? design::Face::kBold : design::Face::kPlain},
+                    .colour = now ? ui::hex(0xfff3d9) : ui::hex(0xdcc7ac),
+                    .align = ui::Align::kCentre};
+        if (past) {
+            const float wide = std::min(place.width - 60.0F, page.words_width(words) * page.text_scale());
+            ui::Sketch tick;
+            add_icon(tick, Icon::kCheck, {0.0F, 0.0F}, 24.0F, ui::hex(0xdcc7ac));
+            const float x = page.right_to_left() ? place.centre().x + 0.5F * wide + 14.0F
+                                                 : place.centre().x - 0.5F * wide - 38.0F;
+            page.sprite({x, place.y + 10.0F, 24.0F, 24.0F}, std::move(tick));
+        }
+        const Rect inner{place.x + (past ? 34.0F : 0.0F), place.y, place.width - (past ? 68.0F : 0.0F),
+                         place.height};
+        page.words(inner, words);
+        if (now) {
+            ui::Sketch bar;
+            bar.add(ui::Box{{0.0F, 0.0F, 160.0F, 6.0F}, 3.0F, ui::Fill::flat(design::kAmber)});
+            page.sprite({place.centre().x - 80.0F, place.y + 52.0F, 160.0F, 6.0F}, std::move(bar));
+        }
+    }
+    // In the kiln, where nothing shrinks any more, there is room for what is heard.
+    const bool is_heard = stage == FiringStage::kFire && !view.heard.empty();
+    page.words(tall ? Rect{33.0F, words_y + 72.0F, width - 66.0F, 72.0F}
+                    : page.mirrored({left, words_y + 64.0F, 3.0F * column - 10.0F, 36.0F}),
+               {.text = page.t(is_heard ? view.heard : "fin.note"),
+                .type = design::kLabel,
+                .colour = ui::hex(0xdcc7ac),
+                .align = ui::Align::kCentre});
+    const float button = 180.0F;
+    page.token(tall ? Rect{0.5F * (width - 280.0F), height - 130.0F, 280.0F, 80.0F}
+                    : page.mirrored({width - 32.0F - button, words_y - 4.0F, button, 66.0F}),
+               Look::kOutline, Button::kSkip, page.t("fin.skip"));
+}
+
+void draw_glazes(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
+    const int glaze = view.state.glaze;
+    const int columns = tall ? 3 : Rules().glaze_count;
+    const int rows = (finish::kGlazeCount + columns - 1) / columns;
+    const float gap = square ? 10.0F : 14.0F;
+    const float niche_width =
+        std::min(tall ? 206.0F : 186.0F,
+                 (width - 48.0F - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    const float niche_height = tall ? 190.0F : 158.0F;
+    const float niches_y = height - 16.0F - static_cast<float>(rows) * (niche_height + gap) + gap;
+    const float shelf_y = tall ? 640.0F : niches_y - 68.0F;
+    const float pot_x = square ? 0.40F * width : 0.5F * width;
+    const float centre_x = page.right_to_left() && square ? width - pot_x : pot_x;
+    page.museum({centre_x, 0.38F * height}, {0.34F * width, 0.56F * height}, 0.30F);
+    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
+               {.text = page.t("glz.title"), .type = design::kTitle});
+    const GlazePlaces places = glaze_places(page, shelf_y);
+    page.languages_token(places.languages);
+    page.shelf(shelf_y, 34.0F);
+    const finish::GlazeMaterial& chosen = finish::glaze_at(glaze);
+    const float box_width = page.by_shape(360.0F, 420.0F, 560.0F);
+    if (view.pot) {
+        const float scale = fitting_scale(view.pot->shape, box_width, shelf_y - (tall ? 110.0F : 80.0F));
+        page.keep_clear(
+            page.pot(view.pot->shape, chosen, std::min(scale, 3.2F), {centre_x, shelf_y + 12.0F}));
+    }
+    glaze_words(page, places, chosen);
+    page.token(page.mirrored(places.take), Look::kPrimary, Button::kTakeGlaze, page.t("glz.take"));
+    page.token(page.mirrored(places.decorate), Look::kToken, Button::kDecorateAgain, page.t("dec.title"), 0,
+               Icon::kIronBrush);
+    const float left = 0.5F * (width - static_cast<float>(columns) * (niche_width + gap) + gap);
+    for (int i = 0; i < finish::kGlazeCount; ++i) {
+        const finish::GlazeMaterial& one = finish::glaze_at(i);
+        const bool on = i == glaze;
+        const Rect niche = page.mirrored({left + static_cast<float>(i % columns) * (niche_width + gap),
+                                          niches_y + static_cast<float>(i / columns) * (niche_height + gap),
+                                          niche_width, niche_height});
+        page.card_niche(niche, on, Button::kGlaze, i, page.t(one.name_key));
+        if (view.pot) {
+            const float scale = fitting_scale(view.pot->shape, niche_width - 40.0F, niche_height - 54.0F);
+            page.pot(view.pot->shape, one, scale, {niche.centre().x, niche.bottom() - 52.0F});
+        }
+        page.words({niche.x + 6.0F, niche.bottom() - 43.0F, niche.width - 12.0F, 38.0F},
+                   {.text = page.t(one.name_key),
+                    .type = {27.0F, 34.0F, on ? design::Face::kBold : design::Face::kPlain},
+                    .colour = on ? design::kInk : design::kSlip,
+                    .align = ui::Align::kCentre});
+        if (!on) continue;
+        ui::Sketch tick;
+        add_icon(tick, Icon::kCheck, {0.0F, 0.0F}, 30.0F, design::kInk);
+        const float x = page.right_to_left() ? niche.right() - 40.0F : niche.x + 10.0F;
+        page.sprite({x, niche.y + 8.0F, 30.0F, 30.0F}, std::move(tick));
+    }
+}
+
+void end_drying(Turn& turn) {
+    turn.show(turn.state.trimming.is_offered ? Screen::kTrim : Screen::kDecorate);
+}
+
+void pass_firing(Turn& turn) {
+    const double passed_s = turn.now_s - turn.state.screen_s;
+    const Rules& rules = turn.rules;
+    if (turn.state.firing == FiringStage::kFire) {
+        if (passed_s >= rules.fire_s) turn.show(Screen::kGlaze);
+    } else if (passed_s >= rules.cut_s + rules.dry_s) {
+        end_drying(turn);
+    } else if (passed_s >= rules.cut_s) {
+        turn.state.firing = FiringStage::kDry;
+    }
+}
+
+void press_firing(Turn& turn, const event::Pressed& event) {
+    if (event.button != Button::kSkip) return;
+    if (turn.state.firing == FiringStage::kFire) {
+        turn.show(Screen::kGlaze);
+    } else {
+        end_drying(turn);
+    }
+}
+
+void take_firing(Turn& turn, const Event& event) {
+    State& state = turn.state;
+    if (std::holds_alternative<event::ThickFoot>(event))
+        state.trimming.is_offered = state.firing != FiringStage::kFire;
+}
+
+void enter_glaze(Turn& turn) {
+    turn.state.glaze = std::clamp(turn.state.glaze, 0, turn.rules.glaze_count - 1);
+}
+
+void press_glaze(Turn& turn, const event::Pressed& event) {
+    if (event.button == Button::kGlaze && event.value >= 0 && event.value < turn.rules.glaze_count) {
+        turn.state.glaze = event.value;
+    } else if (event.button == Button::kTakeGlaze) {
+        turn.show(Screen::kYourPot);
+    } else if (event.button == Button::kDecorateAgain) {
+        turn.show(Screen::kDecorate);
+    }
+}
+
+std::string_view spoken_while_firing(const State& state) {
+    switch (state.firing) {
+        case FiringStage::kCut:
+            return "fin.cut";
+        case FiringStage::kDry:
+            return "fin.dry";
+        case FiringStage::kFire:
+            break;
+    }
+    return "fin.fire";
+}
+
+std::string_view spoken_of_glazes(const State& /*state*/) {
+    return "glz.title";
+}
+
+}  // namespace
+
+bool kiln_burns(const State& state) {
+    return state.screen == Screen::kFiring && state.firing == FiringStage::kFire &&
+           state.panel == Panel::kNone;
+}
+
+extern constinit const Step kFiringStep{.screen = Screen::kFiring,
+                                        .name = "firing",
+                                        .press = press_firing,
+                                        .take = take_firing,
+                                        .tick = pass_firing,
+                                        .draw = draw_firing,
+                                        .spoken = spoken_while_firing};
+
+extern constinit const Step kGlazeStep{.screen = Screen::kGlaze,
+                                       .name = "glaze",
+                                       .enter = enter_glaze,
+                                       .press = press_glaze,
+                                       .draw = draw_glazes,
+                                       .spoken = spoken_of_glazes};
+
+}  // namespace onggi::visit

@@ -1,0 +1,229 @@
+// The finished pot with its measures, beside the pot of a museum that it was thrown after or resembles.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "game/visit/flow/turn.h"
+
+namespace onggi::visit {
+namespace {
+
+using ui::Rect;
+
+void measures_card(Page& page, const Rect& card) {
+    const FiredPot& pot = *page.view().pot;
+    struct Row {
+        const char* key;
+        std::string number;
+        const char* unit;
+    };
+    const std::array rows{Row{"your.h", fmt::format("{:.0f}", pot.height_mm), "unit.mm"},
+                          Row{"your.w", fmt::format("{:.0f}", pot.width_mm), "unit.mm"},
+                          Row{"your.wt", fmt::format("{:.0f}", pot.weight_g), "unit.g"},
+                          Row{"your.cap", fmt::format("{:.1f}", pot.capacity_l), "unit.l"}};
+    page.card(card, design::kHanji, design::kHanji);
+    const float step = (card.height - 34.0F) / static_cast<float>(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const float y = card.y + 17.0F + step * static_cast<float>(i);
+        const float split = 0.44F * card.width;
+        const Rect name{card.x + 28.0F, y, split, step};
+        const Rect value{card.x + 28.0F + split, y, card.width - 56.0F - split, step};
+        const auto within = [&](const Rect& rect) {
+            return page.right_to_left()
+                       ? Rect{2.0F * card.x + card.width - rect.right(), rect.y, rect.width, rect.height}
+                       : rect;
+        };
+        const Rect name_box = within(name);
+        const float name_line = 40.0F;
+        page.words({name_box.x, name_box.y + 0.5F * (step - name_line), name_box.width, name_line + 4.0F},
+                   {.text = page.t(rows[i].key), .type = {30.0F, name_line}, .colour = design::kInk2}, true);
+        const Rect value_box = within(value);
+        // Number large and unit small, both in one row from the line's end.
+        const Words unit{.text = page.t(rows[i].unit),
+                         .type = {28.0F, 56.0F},
+                         .colour = design::kInk,
+                         .align = ui::Align::kEnd};
+        const float unit_width = page.words_width(unit) + 2.0F;
+        const bool rtl = page.right_to_left();
+        const float middle = value_box.y + 0.5F * (step - 56.0F);
+        page.fixed_words(
+            {rtl ? value_box.x : value_box.right() - unit_width, middle + 4.0F, unit_width, 58.0F}, unit);
+        const Rect number_box{rtl ? value_box.x + unit_width + 10.0F : value_box.x, middle,
+                              value_box.width - unit_width - 10.0F, 58.0F};
+        page.fixed_words(number_box, {.text = page.digits(rows[i].number),
+                                      .type = design::bold(46.0F, 56.0F),
+                                      .colour = design::kInk,
+                                      .align = ui::Align::kEnd});
+        if (i + 1 < rows.size()) {
+            const Rect rule{card.x + 28.0F, y + step - 1.0F, card.width - 56.0F, 2.0F};
+            page.box(rule, {design::kRule, design::kRule, design::kRule, design::kRule});
+        }
+    }
+}
+
+void height_bracket(Page& page, float x, float foot_y, float height) {
+    ui::Sketch sketch;
+    sketch.add(ui::Shape{.path = fmt::format("M10 2 V{0:.1f} M1.5 2 H18.5 M1.5 {0:.1f} H18.5", height),
+                         .stroke = design::kTokenEdge,
+                         .stroke_width = 2.5F});
+    page.sprite({x - 10.0F, foot_y - height - 2.0F, 20.0F, height + 6.0F}, std::move(sketch));
+}
+
+// A circle that is right is told of, and no more; nobody is scored by it.
+constexpr double kRoundMm = 1.0;
+
+// What a jar of two bowls is nearly.
+void true_circle(Page& page, vec2 centre, float radius) {
+    constexpr int kCorners = 72;
+    std::vector<vec2> points;
+    for (int i = 0; i <= kCorners; ++i) {
+        const float angle = kTurnF * static_cast<float>(i) / kCorners;
+        points.push_back(centre + radius * vec2(std::cos(angle), std::sin(angle)));
+    }
+    page.dotted(points);
+}
+
+std::string roundness_words(const Page& page, double off_round_mm) {
+    if (off_round_mm < kRoundMm) return page.t("moon.done.one");
+    return page.t("moon.done.off", page.digits(fmt::format("{:.0f}", off_round_mm))) + "\n" +
+           page.t("moon.done.line");
+}
+
+// What stands beside it, and below that what is good about the pot and what to try next.
+// Brought low, the token of its card stands beside that of the languages.
+void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& languages) {
+    constexpr float kSide = 64.0F;
+    constexpr float kGap = 14.0F;
+    const Exhibit& exhibit = *pot.relative;
+    const bool is_jar = pot.off_round_mm.has_value();
+    const float about = exhibit.card && !page.is_low() ? kSide + kGap : 0.0F;
+    const std::string text = page.t(pot.is_after_relative ? "your.after" : "your.near") +
+                             (page.language().code() == "ko" ? ": " : " ") + page.t(exhibit.name_key) +
+                             (is_jar ? "" : "\n" + page.t(exhibit.date_key)) +
+                             (is_jar && page.is_low() ? "" : "\n" + page.t("your.scale"));
+    const bool rtl = page.right_to_left();
+    // Three lines, and two; of a jar two, or brought low one, and what its roundness is worth.
+    const float most = is_jar && page.is_low() ? 40.0F : is_jar ? 78.0F : 114.0F;
+    const float fraction = is_jar && page.is_low() ? 0.21F : is_jar ? 0.35F : 0.61F;
+    const float split = std::min(fraction * rect.height, most * page.text_scale());
+    page.words({rtl ? rect.x + about : rect.x, rect.y, rect.width - about, split - 4.0F},
+               {.text = text, .type = design::kReading, .colour = design::kSlip3});
+    if (exhibit.card) {
+        const Rect beside{rtl ? rect.x : rect.right() - kSide, rect.y + (is_jar ? 2.0F : 23.0F), kSide,
+                          kSide};
+        const Rect low{rtl ? languages.right() + kGap : languages.x - kGap - kSide, languages.y - 2.0F, kSide,
+                       kSide};
+        page.token(page.is_low() ? low : beside, Look::kOutline, Button::kCard, page.t("card.about"),
+                   kRelativesCard, Icon::kAbout, false);
+    }
+    page.words({rect.x, rect.y + split, rect.width, rect.height - split},
+               {.text = is_jar ? roundness_words(page, *pot.off_round_mm)
+                               : page.t(pot.good_key) + "\n" + page.t(pot.next_key),
+                .type = design::kReading,
+                .colour = design::kSlip});
+}
+
+void draw_your_pot(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.is_tall();
+    const bool square = page.is_square();
+    const float raised = page.is_low() ? 78.0F : 0.0F;  // room for the token of languages, brought low
+    const float shelf_y = tall ? 590.0F - raised : 546.0F;
+    const float foot_y = shelf_y + 14.0F;
+    const Rect stage = page.mirrored({0.0F, 0.0F, page.by_shape(760.0F, 560.0F, width), shelf_y});
+    page.museum({stage.centre().x, 0.42F * height}, {0.44F * width, 0.62F * height}, 0.30F);
+    page.shelf(shelf_y, 34.0F);
+    page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x150e09), ui::hex(0x231912));
+    const bool is_off_round = view.pot && view.pot->off_round_mm.value_or(0.0) >= kRoundMm;
+    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
+               {.text = page.t(is_off_round ? "moon.done.title" : "your.title"), .type = design::kTitle});
+    const Rect languages = page.languages_token(
+        {width - 182.0F, tall ? height - 182.0F : page.lower_by() + (square ? 480.0F : 474.0F), 150.0F,
+         60.0F});
+    if (!view.pot) return;
+
+    const Exhibit* const relative = view.pot->relative.get();
+    const float own_box = relative == nullptr ? stage.width - 100.0F : page.by_shape(230.0F, 190.0F, 250.0F);
+    const float other_box = stage.width - own_box - 100.0F;
+    float scale = std::min((own_box - 12.0F) / (2.0F * view.pot->shape.radius_mm()),
+                           (foot_y - 108.0F) / (view.pot->shape.height_mm() * 1.12F));
+    if (relative != nullptr) {
+        scale = std::min({scale, (other_box - 12.0F) / (2.0F * relative->shape.radius_mm()),
+                          (foot_y - 108.0F) / (relative->shape.height_mm() * 1.1F)});
+    }
+    scale = std::min(scale, 2.2F);
+    const float own_x = 62.0F + 0.5F * own_box;
+    page.keep_clear(page.turning_pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
+                                     {page.mirrored(own_x), foot_y}));
+    if (is_off_round) {
+        const float radius_mm =
+            view.pot->shape.radius_mm() - 0.5F * static_cast<float>(*view.pot->off_round_mm);
+        true_circle(page, {page.mirrored(own_x), foot_y - 0.5F * view.pot->shape.height_mm() * scale},
+                    radius_mm * scale);
+    }
+    height_bracket(page, page.mirrored(42.0F), foot_y - 1.0F, view.pot->shape.height_mm() * scale);
+    const float names_y = shelf_y + 40.0F;
+    const Rect own_name =
+        page.mirrored({own_x - 116.0F < 24.0F ? 24.0F : own_x - 116.0F, names_y, 232.0F, 74.0F});
+    page.words(own_name, {.text = page.t("your.title") + "\n" + page.whole_mm(view.pot->height_mm),
+                          .type = {27.0F, 34.0F},
+                          .align = ui::Align::kCentre});
+    if (relative != nullptr) {
+        const float x = 62.0F + own_box + 14.0F + 0.5F * other_box;
+        page.keep_clear(page.turning_pot(relative->shape, finish::glaze_at(relative->glaze), scale,
+                                         {page.mirrored(x), foot_y}));
+        const float name_width = std::min(other_box + 40.0F, 400.0F);
+        page.words(page.mirrored({x - 0.5F * name_width, names_y, name_width, 106.0F}),
+                   {.text = page.t(relative->name_key) + " \u00b7 " + page.whole_mm(relative->height_mm) +
+                            "\n" + page.t(relative->museum_key),
+                    .type = design::kNote,
+                    .align = ui::Align::kCentre});
+    }
+    const float card_x = tall ? 40.0F : stage.width + 10.0F;
+    const float card_width = tall ? width - 80.0F : width - 32.0F - card_x;
+    const float card_height = relative == nullptr ? 320.0F : square && !page.is_low() ? 272.0F : 222.0F;
+    const Rect card = page.mirrored({card_x, (tall ? 740.0F : 118.0F) - raised, card_width, card_height});
+    measures_card(page, card);
+    const float y = tall ? height - 110.0F : height - 108.0F;
+    if (relative != nullptr) {
+        const float top = card.bottom() + 12.0F;
+        const float bottom = page.is_low() ? languages.y : y;
+        near_words(page, page.mirrored({card_x + 6.0F, top, card_width - 6.0F, bottom - 4.0F - top}),
+                   *view.pot, languages);
+    }
+    const float left_width = 0.46F * card_width;
+    page.token(page.mirrored({card_x, y, left_width, 76.0F}), Look::kOutline, Button::kOtherGlaze,
+               page.t("your.glaze"));
+    page.token(page.mirrored({card_x + left_width + 18.0F, y, card_width - left_width - 18.0F, 76.0F}),
+               Look::kPrimary, Button::kKeep, page.t("your.keep"));
+}
+
+void press_your_pot(Turn& turn, const event::Pressed& event) {
+    if (event.button == Button::kOtherGlaze) {
+        turn.show(Screen::kGlaze);
+    } else if (event.button == Button::kCard) {
+        turn.state.card = kRelativesCard;
+        turn.lay_over(Panel::kCard);
+    } else if (event.button == Button::kKeep) {
+        turn.show(Screen::kKeep);
+    }
+}
+
+std::string_view spoken_of_pot(const State& /*state*/) {
+    return "your.title";
+}
+
+}  // namespace
+
+extern constinit const Step kYourPotStep{.screen = Screen::kYourPot,
+                                         .name = "your-pot",
+                                         .press = press_your_pot,
+                                         .draw = draw_your_pot,
+                                         .spoken = spoken_of_pot};
+
+}  // namespace onggi::visit

@@ -1,0 +1,199 @@
+#include "game/visit/flow/flow.h"
+
+#include <cmath>
+
+#include "game/visit/flow/turn.h"
+
+namespace onggi::visit {
+
+int seconds_left(const State& state, double countdown_s, double now_s) {
+    return std::max(0, static_cast<int>(std::ceil(countdown_s - (now_s - state.panel_s) - 1e-9)));
+}
+
+State first_state(const Rules& rules, double now_s) {
+    State state;
+    state.comfort.language = state.house_language = rules.default_language;
+    state.comfort.volume = state.house_volume = rules.default_volume;
+    state.comfort.text_size = rules.default_text_size;
+    state.screen_s = state.panel_s = state.input_s = state.visit_s = now_s;
+    return state;
+}
+
+int pin_seconds_left(const State& state, double now_s) {
+    return std::max(0, static_cast<int>(std::ceil(state.pin_guard.opens_s - now_s - 1e-9)));
+}
+
+void Turn::show(Screen screen) {
+    const auto leave = step_of(state.screen).leave;
+    if (leave != nullptr && screen != state.screen) leave(*this);
+    state.screen = screen;
+    state.screen_s = now_s;
+    if (const auto enter = step_of(screen).enter) enter(*this);
+}
+
+void Turn::lay_over(Panel panel) {
+    const auto leave = step_of(state.screen).leave;
+    if (leave != nullptr && panel != Panel::kNone) leave(*this);
+    state.panel = panel;
+    state.panel_s = now_s;
+}
+
+void Turn::take(const Event& event) {
+    if (const auto take_it = step_of(state.screen).take) take_it(*this, event);
+}
+
+void Turn::leave_staff() {
+    lay_over(Panel::kNone);
+    // What the staff tried out is not the next visitor's wish.
+    if (step_of(state.screen).whose == Whose::kNobody) end_visit();
+}
+
+void Turn::begin_visit() {
+    state.visit_s = now_s;
+    add(effect::VisitBegan{});
+    show(state.interrupted_session ? Screen::kResume : Screen::kChoose);
+}
+
+void Turn::put_on_clay(std::optional<int> target) {
+    state.throwing = Throwing{.target = target};
+    state.pace = {.progress_s = now_s};
+    add(effect::ForgetPot{});
+    add(effect::FreshClay{target});
+}
+
+void Turn::change_volume(int by) {
+    const int changed = std::clamp(state.comfort.volume + by, 0, kMostVolume);
+    if (changed == state.comfort.volume) return;
+    state.comfort.volume = changed;
+    add(effect::SetVolume{changed});
+}
+
+void Turn::end_visit() {
+    if (step_of(state.screen).whose == Whose::kVisitor) {
+        add(effect::VisitEnded{.dwell_s = static_cast<int>(now_s - state.visit_s), .last = state.screen});
+    }
+    const State before = state;
+    state = first_state(rules, now_s);
+    // State of the kiosk, not of the visitor.
+    state.device_lost = before.device_lost;
+    state.pin_guard = before.pin_guard;
+    state.comfort.volume = state.house_volume = before.house_volume;
+    state.comfort.language = state.house_language = before.house_language;
+    state.force_rests = before.force_rests;
+    state.interrupted_jar = before.interrupted_jar;
+    state.interrupted_session = before.interrupted_session;  // until somebody has decided
+    add(effect::ForgetPot{});
+    add(effect::SetVolume{state.house_volume});
+    add(effect::StartDemo{});
+}
+
+namespace {
+
+void pass_time(Turn& turn) {
+    State& state = turn.state;
+    if (const auto tick = overlay_of(state.panel).tick) return tick(turn);
+    if (const auto tick = step_of(state.screen).tick) tick(turn);
+    const Step& step = step_of(state.screen);  // which may be the next by now
+    if (step.whose != Whose::kVisitor) return;
+    const bool makes_jar = step.has_wet_clay && state.throwing.jar.step != JarStep::kNone;
+    const double idle_s = makes_jar ? turn.rules.jar_idle_s : turn.rules.idle_s;
+    if (turn.now_s - state.input_s >= idle_s) turn.lay_over(Panel::kIdle);
+}
+
+// Something that lives is there: the step takes note. At the countdown the visit goes on.
+void wake(Turn& turn, const Event& event) {
+    State& state = turn.state;
+    state.input_s = turn.now_s;
+    if (overlay_of(state.panel).is_staffs) state.staff_used_s = turn.now_s;
+    if (state.panel == Panel::kIdle) turn.lay_over(Panel::kNone);
+    if (state.panel == Panel::kNone) turn.take(event);
+}
+
+void press(Turn& turn, const event::Pressed& event) {
+    State& state = turn.state;
+    state.input_s = turn.now_s;
+    if (const auto press_it = overlay_of(state.panel).press) return press_it(turn, event);
+    const Step& step = step_of(state.screen);
+    if (event.button == Button::kLanguages && step.whose != Whose::kStaff) {
+        turn.lay_over(Panel::kLanguage);
+        return;
+    }
+    // In attract it begins a visit, as any key does.
+    if (event.button == Button::kForces && step.whose != Whose::kNobody) {
+        state.comfort.forces = !state.comfort.forces;
+        return;
+    }
+    if (step.press != nullptr) step.press(turn, event);
+}
+
+// The wheel cannot work any more.
+void enter_fault(Turn& turn) {
+    State& state = turn.state;
+    if (step_of(state.screen).whose == Whose::kStaff) return;
+    // The staff looks into it: what they have before them stays.
+    const bool is_staffs = overlay_of(state.panel).is_staffs;
+    const Panel panel = is_staffs ? state.panel : Panel::kNone;
+    const Staff staff = state.staff;
+    const double used_s = state.staff_used_s;
+    turn.end_visit();
+    turn.show(Screen::kFault);
+    if (is_staffs) {
+        turn.lay_over(panel);
+        state.staff = staff;
+        state.staff_used_s = used_s;
+    }
+}
+
+void ask_for_pin(Turn& turn) {
+    State& state = turn.state;
+    if (turn.rules.pin_digits <= 0 || state.panel == Panel::kStaff) return;
+    state.staff = {};
+    state.staff_used_s = turn.now_s;
+    state.input_s = turn.now_s;
+    turn.lay_over(Panel::kPin);
+}
+
+// What each event does to any visit; the others are the step's.
+struct Taking {
+    Turn& turn;
+    const Event& event;
+    State& state = turn.state;
+
+    void operator()(const event::Tick& /*tick*/) { pass_time(turn); }
+    void operator()(const event::Input& /*input*/) { wake(turn, event); }
+    void operator()(const event::ClayTouched& /*touched*/) { wake(turn, event); }
+    void operator()(const event::Pressed& pressed) { press(turn, pressed); }
+    void operator()(const event::Held& held) {
+        // Who has just let go is not shown anything at once.
+        if (state.pace.held && !held.holds) state.pace.touched_s = turn.now_s;
+        state.pace.held = held.holds;
+    }
+    void operator()(const event::Device& device) { state.device_lost = !device.is_there; }
+    void operator()(const event::Force& force) { state.force_rests = force.rests; }
+    void operator()(const event::Fault& /*fault*/) { enter_fault(turn); }
+    void operator()(const event::InterruptedSession& found) {
+        state.interrupted_session = true;
+        state.interrupted_jar = found.jar;
+    }
+    void operator()(const event::CornerHeld& /*held*/) { ask_for_pin(turn); }
+    void operator()(const event::CloseAsked& /*asked*/) {
+        if (!turn.rules.locked) turn.add(effect::Quit{});
+    }
+    template <typename Other>
+    void operator()(const Other& /*other*/) {
+        turn.take(event);
+    }
+};
+
+}  // namespace
+
+std::vector<Effect> advance(State& state, const Event& event, double now_s, const Rules& rules) {
+    Turn turn{.state = state, .now_s = now_s, .rules = rules};
+    const bool showed = state.throwing.shown.has_value();
+    std::visit(Taking{turn, event}, event);
+    // Before whatever else is done to the clay.
+    if (showed && !state.throwing.shown) turn.effects.insert(turn.effects.begin(), effect::StopShow{});
+    return std::move(turn.effects);
+}
+
+}  // namespace onggi::visit

@@ -1,0 +1,336 @@
+// What interrupts a visit: the countdown when nobody is there, languages and comfort, a pot that a power cut
+// left, a wheel that cannot work.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "game/visit/flow/turn.h"
+#include "game/visit/jar/jar.h"
+
+namespace onggi::visit {
+namespace {
+
+using ui::Rect;
+
+void veil(Page& page, float top, float bottom) {
+    page.down({0.0F, 0.0F, page.width(), 0.6F * page.height()}, design::kNight.with_alpha(top),
+              design::kNight.with_alpha(0.5F * (top + bottom)));
+    page.down({0.0F, 0.6F * page.height(), page.width(), 0.4F * page.height()},
+              design::kNight.with_alpha(0.5F * (top + bottom)), design::kNight.with_alpha(bottom));
+}
+
+void draw_idle(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.is_tall();
+    veil(page, 0.90F, 0.95F);
+    const vec2 centre(0.5F * width, tall ? 400.0F : 0.36F * height - 10.0F);
+    const float fraction = std::clamp(static_cast<float>(view.seconds_left / view.countdown_s), 0.0F, 1.0F);
+    ui::Sketch sketch;
+    sketch.add(ui::Ellipse{{4.0F, 4.0F, 352.0F, 352.0F}, ui::Fill::flat(ui::hex(0x6f5a44))});
+    sketch.add(ui::Ellipse{{7.0F, 7.0F, 346.0F, 346.0F}, ui::Fill::flat(ui::hex(0x2b2019))});
+    sketch.add(ui::Shape{.path = spiral_path(1.0F), .stroke = ui::hex(0x4a3829), .stroke_width = 13.0F});
+    if (fraction > 0.0F) {
+        sketch.add(
+            ui::Shape{.path = spiral_path(fraction), .stroke = ui::hex(0xc79a6c), .stroke_width = 13.0F});
+        sketch.add(ui::Shape{.path = spiral_path(fraction),
+                             .placing = {.at = {-2.0F, -3.0F}},
+                             .stroke = ui::hex(0xe6c79d),
+                             .stroke_width = 3.0F});
+    }
+    sketch.add(ui::Ellipse{{122.0F, 122.0F, 116.0F, 116.0F}, ui::Fill::flat(design::kNight)});
+    page.sprite({centre.x - 180.0F, centre.y - 180.0F, 360.0F, 360.0F}, std::move(sketch));
+    page.fixed_words({centre.x - 70.0F, centre.y - 46.0F, 140.0F, 92.0F},
+                     {.text = page.digits(std::to_string(view.seconds_left)),
+                      .type = design::bold(76.0F, 92.0F),
+                      .colour = design::kWhiteSlip,
+                      .align = ui::Align::kCentre});
+    const float words_y = centre.y + 196.0F;
+    const float button_y = height - (tall ? 330.0F : 120.0F);
+    const float title = page.words(
+        {60.0F, words_y, width - 120.0F, tall ? 150.0F : 72.0F},
+        {.text = page.t("idle.title"), .type = design::serif(52.0F, 70.0F), .align = ui::Align::kCentre});
+    page.words({60.0F, words_y + title + 2.0F, width - 120.0F, button_y - words_y - title - 8.0F},
+               {.text = page.t("idle.line"),
+                .type = design::kBody,
+                .colour = design::kSlip3,
+                .align = ui::Align::kCentre});
+    const float button = std::min(280.0F, 0.5F * width - 60.0F);
+    page.token(page.mirrored({0.5F * width - 14.0F - button, button_y, button, 84.0F}), Look::kOutline,
+               Button::kFresh, page.t("idle.fresh"));
+    page.token(page.mirrored({0.5F * width + 14.0F, button_y, button, 84.0F}), Look::kPrimary, Button::kStay,
+               page.t("idle.stay"));
+}
+
+constexpr float kComfortGap = 24.0F;
+
+// A token for each language. Gives the lowest edge of them.
+float language_tokens(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.is_tall();
+    const int count = static_cast<int>(view.languages->size());
+    // Brought low, all of it stands close together in the lower half; more than four languages need more.
+    const bool low = page.is_low();
+    const int columns = tall ? (low ? 2 : 1) : std::min(count, 4);
+    const int rows = (count + columns - 1) / columns;
+    const float gap = kComfortGap;
+    const float wide =
+        std::min(tall ? 480.0F : 330.0F,
+                 (width - 64.0F - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    const float between = low ? 12.0F : 16.0F;
+    const float high = low ? (tall ? 84.0F : 80.0F) : tall ? 110.0F : count > 4 ? 84.0F : 150.0F;
+    const float left =
+        0.5F * (width - wide * static_cast<float>(columns) - gap * static_cast<float>(columns - 1));
+    // On a tall screen there is room above for the name of what the ring is on, below the title.
+    const float room = height - 588.0F - static_cast<float>(rows) * (high + between);
+    const float tall_top = std::clamp(room, 140.0F, 232.0F);
+    const float top = low ? 0.5F * height + 2.0F - static_cast<float>(tall ? 0 : rows - 1) * (high + between)
+                      : tall ? tall_top
+                             : 140.0F;
+    float bottom = 0.0F;
+    for (int i = 0; i < count; ++i) {
+        const Rect rect{left + static_cast<float>(i % columns) * (wide + gap),
+                        top + static_cast<float>(i / columns) * (high + between), wide, high};
+        page.language_token(rect, i, i == view.state.comfort.language);
+        bottom = std::max(bottom, rect.bottom());
+    }
+    return bottom;
+}
+
+// Sizes of text and sound, what is brought low, left, or kept still: in one row, on a tall screen in two.
+void comfort_controls(Page& page, float y) {
+    const Comfort& comfort = page.view().state.comfort;
+    const float width = page.width();
+    const bool tall = page.is_tall();
+    const float gap = kComfortGap;
+    const bool reversed = page.right_to_left();
+    const auto stepper = [&](const Rect& place, Icon icon, int dots, int on, Button less, Button more,
+                             const char* key) {
+        const Rect rect = page.mirrored(place);
+        page.stepper(rect, icon, dots, on, less, more, page.t(key), reversed);
+        page.label({rect.x - 8.0F, rect.bottom() + 8.0F, rect.width + 16.0F, 66.0F}, page.t(key));
+    };
+    const auto toggle = [&](const Rect& place, Icon icon, bool on, Button button, const char* key) {
+        const Rect rect = page.mirrored(place);
+        page.toggle(rect, icon, on, button, page.t(key));
+        page.label({rect.x - 10.0F, rect.bottom() + 8.0F, rect.width + 20.0F, 66.0F}, page.t(key));
+    };
+    const float stepper_width = std::min(238.0F, (width - 64.0F - 4.0F * gap) * 0.21F + 60.0F);
+    const float toggle_width =
+        tall ? 180.0F : std::min(150.0F, (width - 64.0F - 2.0F * stepper_width - 4.0F * gap) / 3.0F);
+    if (tall) {
+        const float two = 0.5F * width;
+        stepper({two - 254.0F, y, 238.0F, 84.0F}, Icon::kText, kMostTextSize, comfort.text_size,
+                Button::kTextLess, Button::kTextMore, "lang.text");
+        stepper({two + 16.0F, y, 238.0F, 84.0F}, Icon::kSound, kMostVolume, comfort.volume,
+                Button::kSoundLess, Button::kSoundMore, "lang.sound");
+    } else {
+        const float all = 2.0F * stepper_width + 3.0F * toggle_width + 4.0F * gap;
+        const float x = 0.5F * (width - all);
+        stepper({x, y, stepper_width, 84.0F}, Icon::kText, kMostTextSize, comfort.text_size,
+                Button::kTextLess, Button::kTextMore, "lang.text");
+        stepper({x + stepper_width + gap, y, stepper_width, 84.0F}, Icon::kSound, kMostVolume, comfort.volume,
+                Button::kSoundLess, Button::kSoundMore, "lang.sound");
+    }
+    const float toggles_y = tall ? y + (page.is_low() ? 162.0F : 200.0F) : y;
+    const float toggles_x = tall ? 0.5F * (width - 3.0F * toggle_width - 2.0F * gap)
+                                 : 0.5F * (width + 2.0F * stepper_width + 3.0F * toggle_width + 4.0F * gap) -
+                                       3.0F * toggle_width - 2.0F * gap;
+    toggle({toggles_x, toggles_y, toggle_width, 84.0F}, Icon::kLow, comfort.reach, Button::kReach,
+           "lang.reach");
+    toggle({toggles_x + toggle_width + gap, toggles_y, toggle_width, 84.0F}, Icon::kHand, comfort.left_hand,
+           Button::kLeftHand, "lang.left");
+    toggle({toggles_x + 2.0F * (toggle_width + gap), toggles_y, toggle_width, 84.0F}, Icon::kStill,
+           comfort.still, Button::kStill, "lang.still");
+}
+
+void draw_language(Page& page) {
+    const float width = page.width();
+    const bool tall = page.is_tall();
+    const bool low = page.is_low();
+    veil(page, 0.86F, 0.96F);
+    std::string title;
+    for (const Language& language : *page.view().languages)
+        title += (title.empty() ? "" : " \u00b7 ") + language.shown("lang.title");
+    page.words(
+        {60.0F, 48.0F, width - 120.0F, 76.0F},
+        {.text = title, .type = design::serif(40.0F, 56.0F), .align = ui::Align::kCentre, .language = 0});
+    const float bottom = language_tokens(page);
+    comfort_controls(page, low ? bottom + 14.0F : tall ? bottom + 70.0F : 352.0F);
+    const float done_y = page.height() - (low ? 98.0F : tall ? 160.0F : 120.0F);
+    page.token({0.5F * (width - 280.0F), done_y, 280.0F, low ? 80.0F : 84.0F}, Look::kPrimary,
+               Button::kComfortDone, page.t("lang.done"));
+}
+
+void draw_resume(Page& page) {
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.is_tall();
+    // The clay as it was left, waiting on a shelf: by its kind, for it is put on the wheel only when it is
+    // wanted.
+    page.museum({0.5F * width, 0.45F * height}, {0.5F * width, 0.55F * height}, 0.18F);
+    const float shelf_y = tall ? 820.0F : height - 206.0F;
+    page.shelf(shelf_y, 30.0F);
+    page.keep_clear(
+        page.pot(pot::fresh_lump(), finish::wet_clay(), tall ? 2.2F : 1.6F, {0.5F * width, shelf_y + 9.0F}));
+    page.words(
+        {60.0F, tall ? 250.0F : 70.0F, width - 120.0F, 160.0F},
+        {.text = page.t("resume.title"), .type = design::serif(50.0F, 68.0F), .align = ui::Align::kCentre});
+    const float y = height - (tall ? 330.0F : 150.0F);
+    const float button = std::min(330.0F, 0.5F * width - 60.0F);
+    page.token(page.mirrored({0.5F * width - 14.0F - button, y, button, 84.0F}), Look::kOutline,
+               Button::kResumeFresh, page.t("ctl.again"), 0, tall ? std::optional<Icon>() : Icon::kAgain);
+    page.token(page.mirrored({0.5F * width + 14.0F, y, button, 84.0F}), Look::kPrimary, Button::kResumeGo,
+               page.t("resume.go"));
+}
+
+void draw_fault(Page& page) {
+    const View& view = page.view();
+    const float width = page.width();
+    const float height = page.height();
+    const bool tall = page.is_tall();
+    const int count = static_cast<int>(view.languages->size());
+    page.museum({0.5F * width, 0.42F * height}, {0.4F * width, 0.55F * height}, 0.16F);
+    const float shelf_y = tall ? 640.0F : height - 196.0F;
+    page.shelf(shelf_y, 32.0F);
+    if (!view.exhibits->empty()) {
+        const Exhibit& resting = view.exhibits->back();
+        const float scale =
+            std::min(1.4F, (shelf_y - 120.0F) / (static_cast<float>(resting.height_mm) * 1.1F));
+        page.keep_clear(
+            page.pot(resting.shape, finish::glaze_at(0), scale, {0.5F * width, shelf_y + 12.0F}, 0.78F));
+    }
+    const float words_y = shelf_y + 46.0F;
+    page.down({0.0F, shelf_y + 32.0F, width, 14.0F}, design::kNight.with_alpha(0.7F),
+              design::kNight.with_alpha(0.93F));
+    page.down({0.0F, words_y, width, height - words_y}, design::kNight.with_alpha(0.93F),
+              design::kNight.with_alpha(0.97F));
+    // All languages at once: side by side, or one below the other.
+    for (int i = 0; i < count; ++i) {
+        const float column = (width - 48.0F) / static_cast<float>(count);
+        const Rect rect =
+            tall
+                ? Rect{40.0F, words_y + 16.0F + 170.0F * static_cast<float>(i), width - 80.0F, 160.0F}
+                : Rect{24.0F + column * static_cast<float>(i) + 8.0F, words_y + 4.0F, column - 16.0F, 150.0F};
+        const float title =
+            page.words({rect.x, rect.y, rect.width, 50.0F}, {.text = page.language(i).shown("fault.title"),
+                                                             .type = design::serif(33.0F, 46.0F, 26.0F),
+                                                             .align = ui::Align::kCentre,
+                                                             .language = i});
+        page.words({rect.x, rect.y + title + 2.0F, rect.width, 76.0F},
+                   {.text = page.language(i).shown("fault.line"),
+                    .type = design::kNote,
+                    .colour = ui::hex(0xe6d8c0),
+                    .align = ui::Align::kCentre,
+                    .language = i});
+    }
+}
+
+void press_resume(Turn& turn, const event::Pressed& event) {
+    if (event.button == Button::kResumeGo) {
+        turn.state.interrupted_session = false;
+        turn.state.throwing = {};
+        turn.state.pace = {.progress_s = turn.now_s};
+        turn.add(effect::Resume{});
+        turn.show(Screen::kThrow);
+        resume_jar(turn);
+    } else if (event.button == Button::kResumeFresh) {
+        turn.state.interrupted_session = false;
+        turn.add(effect::DropInterrupted{});
+        turn.show(Screen::kThrow);
+        turn.put_on_clay(std::nullopt);
+    }
+}
+
+void press_idle(Turn& turn, const event::Pressed& event) {
+    turn.lay_over(Panel::kNone);
+    if (event.button != Button::kFresh) return;
+    if (turn.state.screen == Screen::kResume) return press_resume(turn, event::Pressed{Button::kResumeFresh});
+    turn.show(Screen::kThrow);
+    turn.put_on_clay(std::nullopt);
+}
+
+void pass_idle(Turn& turn) {
+    if (turn.now_s - turn.state.panel_s >= turn.rules.countdown_s) turn.end_visit();
+}
+
+void press_language(Turn& turn, const event::Pressed& event) {
+    Comfort& comfort = turn.state.comfort;
+    switch (event.button) {
+        case Button::kLanguage:
+            if (event.value >= 0 && event.value < turn.rules.language_count) comfort.language = event.value;
+            break;
+        case Button::kTextLess:
+        case Button::kTextMore:
+            change(comfort.text_size, event.button == Button::kTextMore ? 1 : -1, kMostTextSize);
+            break;
+        case Button::kSoundLess:
+        case Button::kSoundMore:
+            turn.change_volume(event.button == Button::kSoundMore ? 1 : -1);
+            break;
+        case Button::kReach:
+            comfort.reach = !comfort.reach;
+            break;
+        case Button::kLeftHand:
+            comfort.left_hand = !comfort.left_hand;
+            break;
+        case Button::kStill:
+            comfort.still = !comfort.still;
+            break;
+        case Button::kComfortDone:
+        case Button::kLanguages:
+            turn.lay_over(Panel::kNone);
+            // Choosing a language begins a visit.
+            if (step_of(turn.state.screen).whose == Whose::kNobody) turn.begin_visit();
+            break;
+        default:
+            break;
+    }
+}
+
+void take_fault(Turn& turn, const Event& event) {
+    if (std::holds_alternative<event::FaultOver>(event)) turn.end_visit();
+}
+
+std::string_view spoken_to_resume(const State& /*state*/) {
+    return "resume.title";
+}
+
+std::string_view spoken_of_fault(const State& /*state*/) {
+    return "fault.title";
+}
+
+}  // namespace
+
+extern constinit const Step kResumeStep{.screen = Screen::kResume,
+                                        .name = "resume",
+                                        .press = press_resume,
+                                        .draw = draw_resume,
+                                        .spoken = spoken_to_resume,
+                                        .shows_scene = true};
+
+extern constinit const Step kFaultStep{.screen = Screen::kFault,
+                                       .name = "fault",
+                                       .whose = Whose::kStaff,
+                                       .take = take_fault,
+                                       .draw = draw_fault,
+                                       .spoken = spoken_of_fault,
+                                       .camera = Camera::kAttract};
+
+extern constinit const Overlay kLanguageOverlay{.panel = Panel::kLanguage,
+                                                .name = "language",
+                                                .spoken = "lang.title",
+                                                .press = press_language,
+                                                .draw = draw_language};
+
+extern constinit const Overlay kIdleOverlay{.panel = Panel::kIdle,
+                                            .name = "idle",
+                                            .spoken = "idle.title",
+                                            .press = press_idle,
+                                            .tick = pass_idle,
+                                            .draw = draw_idle};
+
+}  // namespace onggi::visit
