@@ -285,7 +285,7 @@ class Copy:
         return self.run("cmake", "--build", str(self.build), "--target", *programs)
 
     def passes(self, program, longest_s):
-        # Some wait for what never comes: that is noticed too. Nobody waits for what they have started themselves.
+        # Some mutations make a test hang; that counts as noticed. Its child processes are not waited for.
         quiet = subprocess.DEVNULL
         try:
             test = [str(self.build / "tests" / program)]
