@@ -23,8 +23,8 @@ serve_display() {
     unset WAYLAND_DISPLAY
 }
 
-# open_display FOLDER WxH: Xvfb. FOLDER/Xvfb_screen0 is its picture, in xwd format.
-open_display() { serve_display "$1" Xvfb -fbdir "$1" -screen 0 "${2}x24"; }
+# open_display FOLDER WxH [OPTION...]: Xvfb. FOLDER/Xvfb_screen0 is its picture, in xwd format.
+open_display() { serve_display "$1" Xvfb -fbdir "$1" -screen 0 "${2}x24" "${@:3}"; }
 
 # open_touch_display FOLDER WxH: the X server of a machine with a touch screen, rendered into memory
 # (xserver-xorg-video-dummy). The screen is touched by `finger`, through the socket FOLDER/touch-screen: a
