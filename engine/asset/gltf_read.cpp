@@ -486,8 +486,7 @@ class Gathering {
     // Strips and fans as single triangles (glTF 2.0, 3.7.2.1); those without an area, which join strips, are
     // dropped.
     static Result<void> as_triangles(int mode, std::size_t most, std::vector<std::uint32_t>& indices) {
-        // tinygltf gives -1 where the file leaves the mode out, which means triangles.
-        if (mode == TINYGLTF_MODE_TRIANGLES || mode == -1) return {};
+        if (mode == TINYGLTF_MODE_TRIANGLES) return {};
         if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN)
             return bad_input(fmt::format("expected triangles, found mode {}", mode));
         if (indices.size() > most / 3 + 2)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Tests that full screen covers the display, with RandR and on a server without it, which has no CRTC to ask:
-# full_screen.sh ONGGI FOLDER. F11 must cover the display and restore the window, twice; `--full-screen` must
+# Tests that full screen covers the display, with RandR and on a server without it, where GLFW places the window off
+# the display (findings/glfw-full-screen-is-off-the-display-without-randr.sh): full_screen.sh ONGGI FOLDER. F11 must cover the display and restore the window, twice; `--full-screen` must
 # cover it from the start.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
