@@ -58,13 +58,12 @@ Result<ExportKind> export_kind_of(std::string_view path) {
     return bad_input(fmt::format("{}: expected a name that ends in {}", path, known));
 }
 
-Result<std::vector<std::byte>> glb_of(asset::Mesh mesh, asset::Material material,
-                                      std::vector<asset::Extra> extras) {
-    return asset::encode_glb({.name = "pot",
-                              .generator = kProgram,
-                              .mesh = std::move(mesh),
-                              .material = std::move(material),
-                              .extras = std::move(extras)});
+asset::GltfContent pot_content(asset::Mesh mesh, asset::Material material, std::vector<asset::Extra> extras) {
+    return {.name = "pot",
+            .generator = kProgram,
+            .mesh = std::move(mesh),
+            .material = std::move(material),
+            .extras = std::move(extras)};
 }
 
 std::string printing_note(double thinnest_wall_mm) {
@@ -75,30 +74,33 @@ std::string printing_note(double thinnest_wall_mm) {
         thinnest_wall_mm, kThinnestPrintedMm, std::ceil(100.0 * kThinnestPrintedMm / thinnest_wall_mm));
 }
 
-Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file) {
-    Result<PotSolid> pot = build_pot_solid(rings, {.shrinkage = file.shrinkage});
+Result<PotFile> pot_file(const PotRings& rings) {
+    Result<PotSolid> pot = build_pot_solid(rings);
     if (!pot) return pot.error();
-    if (kind == ExportKind::kStl) return asset::encode_stl(pot->mesh, file.title);
-    if (kind == ExportKind::k3mf) {
-        return asset::encode_3mf(pot->mesh,
-                                 {.title = file.title, .description = file.note, .application = kProgram},
-                                 file.picture);
-    }
-    return glb_of(std::move(pot->mesh), std::move(file.material), std::move(file.extras));
-}
-
-Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind,
-                                          const asset::Image* picture) {
     double widest_mm = 0.0;
     for (const double radius_mm : rings.outer_mm)
         widest_mm = std::max(widest_mm, 2.0 * radius_mm);
-    return export_pot(rings, kind,
-                      {.title = fmt::format("Onggi pot, {:.1f} mm high", rings.height_mm()),
-                       .material = stoneware(),
-                       .extras = {{"height_mm", rings.height_mm()},
-                                  {"max_diameter_mm", widest_mm},
-                                  {"volume_mm3", rings.volume_mm3}},
-                       .picture = picture});
+    return PotFile{.content = pot_content(std::move(pot->mesh), stoneware(),
+                                          {{"height_mm", rings.height_mm()},
+                                           {"max_diameter_mm", widest_mm},
+                                           {"volume_mm3", rings.volume_mm3}}),
+                   .title = fmt::format("Onggi pot, {:.1f} mm high", rings.height_mm())};
+}
+
+Result<std::vector<std::byte>> encode_pot(const Result<PotFile>& file, ExportKind kind,
+                                          const asset::Image* picture) {
+    if (!file) return file.error();
+    const asset::Mesh& mesh = file->content.mesh;
+    switch (kind) {
+        case ExportKind::kGlb:
+            return asset::encode_glb(file->content);
+        case ExportKind::kStl:
+            return asset::encode_stl(mesh, file->title);
+        case ExportKind::k3mf:
+            return asset::encode_3mf(
+                mesh, {.title = file->title, .description = file->note, .application = kProgram}, picture);
+    }
+    return bad_input("pot: expected a format, found none");
 }
 
 }  // namespace onggi::exporter

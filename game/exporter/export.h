@@ -1,5 +1,6 @@
-// A pot as a file for other programs: GLB for the web and museums, STL and 3MF for 3D printers. Any thread
-// but the haptic one (it allocates). Returns bytes; engine/files writes them to disk.
+// A pot as files for other programs: GLB for the web and museums, STL and 3MF for 3D printers. pot_file()
+// makes the solid and the data about it, encode_pot() the bytes of each format; engine/files writes them to
+// disk. Any thread but the haptic one (it allocates).
 #pragma once
 
 #include <cstddef>
@@ -19,14 +20,10 @@ enum class ExportKind { kGlb, kStl, k3mf };
 // The kind for a path's extension, in any case. kBadInput for any other extension, listing the known ones.
 Result<ExportKind> export_kind_of(std::string_view path);
 
-// Contents of a file besides the mesh.
 struct PotFile {
-    std::string title{};  // for the STL's header and the 3MF
-    std::string note{};   // for the 3MF: advice on printing; may be empty
-    asset::Material material{};
-    std::vector<asset::Extra> extras{};
-    double shrinkage = 1.0;                 // factor on every length
-    const asset::Image* picture = nullptr;  // thumbnail of the 3MF
+    asset::GltfContent content;  // the solid; material and extras are for the GLB
+    std::string title{};         // for the STL's header and the 3MF
+    std::string note{};          // for the 3MF: advice on printing; may be empty
 };
 
 // Thinner walls break in prints of services and of slicers' usual settings.
@@ -34,14 +31,16 @@ constexpr double kThinnestPrintedMm = 2.0;
 // The note for a pot with walls that thin at the file's size; empty if they are thick enough.
 [[nodiscard]] std::string printing_note(double thinnest_wall_mm);
 
-// A pot's mesh as a GLB with this program as its generator.
-Result<std::vector<std::byte>> glb_of(asset::Mesh mesh, asset::Material material,
-                                      std::vector<asset::Extra> extras);
+// This program as the generator of a pot's mesh.
+[[nodiscard]] asset::GltfContent pot_content(asset::Mesh mesh, asset::Material material,
+                                             std::vector<asset::Extra> extras);
 
-// The file's bytes, the same for the same rings on every machine. kBadInput: see build_pot_solid().
-Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind, PotFile file);
-// Exports a shape without other data as stoneware: the paper's clay.
-Result<std::vector<std::byte>> export_pot(const PotRings& rings, ExportKind kind,
+// A shape without other data, as stoneware: the paper's clay. kBadInput: see build_pot_solid().
+Result<PotFile> pot_file(const PotRings& rings);
+
+// The bytes, the same for the same pot on every machine. `picture` may be null; it becomes the 3MF's
+// thumbnail. Errors: that of `file`, or those of the format's encoder.
+Result<std::vector<std::byte>> encode_pot(const Result<PotFile>& file, ExportKind kind,
                                           const asset::Image* picture = nullptr);
 
 }  // namespace onggi::exporter

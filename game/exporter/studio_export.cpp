@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
-#include "engine/math/light.h"
-#include "game/finish/clay_body.h"
+#include "game/exporter/pot_solid.h"
 
 namespace onggi::exporter {
 namespace {
@@ -48,31 +48,8 @@ std::string_view name_of(Firing stage) {
     return "wet";
 }
 
-asset::Material pot_material(ClayBody body, Firing stage) {
-    const finish::BodyLook& look = finish::look_of(body);
-    asset::Material material{
-        .name = fmt::format("{} {}", stage == Firing::kGlaze ? "glazed" : name_of(stage), name_of(body))};
-    switch (stage) {
-        case Firing::kWet:
-            material.base_colour_linear = wet_albedo(look.raw);
-            material.roughness = 0.55;
-            material.clearcoat = {.factor = 0.6, .roughness = 0.2};
-            break;
-        case Firing::kDry:
-            material.base_colour_linear = look.bone_dry;
-            material.roughness = 0.9;
-            break;
-        case Firing::kBisque:
-            material.base_colour_linear = look.bisque;
-            material.roughness = 0.85;
-            break;
-        case Firing::kGlaze:
-            material.base_colour_linear = look.glazed;
-            material.roughness = 0.45;
-            material.clearcoat = {.factor = 1.0, .roughness = 0.08};
-            break;
-    }
-    return material;
+std::string pot_name(ClayBody body, Firing stage) {
+    return fmt::format("{} {}", stage == Firing::kGlaze ? "glazed" : name_of(stage), name_of(body));
 }
 
 std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, Firing stage) {
@@ -116,18 +93,16 @@ std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, Firing stage)
             {"ledger_error_mm3", clay.ledger_error_mm3()}};
 }
 
-Result<std::vector<std::byte>> export_pot(const clay::StudioClay& clay, Firing stage, ExportKind kind,
-                                          const asset::Material* material, const asset::Image* picture) {
+Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage) {
     const ClayBody body = clay.lump().body;
     const double scale = clay::shrunk_scale(body, stage);
-    return export_pot(rings_of(clay.rings()), kind,
-                      {.title = fmt::format("Onggi pot, {} {}, {:.1f} mm high", name_of(stage), name_of(body),
-                                            clay.height_mm() * scale),
-                       .note = printing_note(clay::measure_pot(clay.rings(), body, stage).thinnest_wall_mm),
-                       .material = material != nullptr ? *material : pot_material(body, stage),
-                       .extras = pot_extras(clay, stage),
-                       .shrinkage = scale,
-                       .picture = picture});
+    Result<PotSolid> pot = build_pot_solid(rings_of(clay.rings()), {.shrinkage = scale});
+    if (!pot) return pot.error();
+    return PotFile{.content = pot_content(std::move(pot->mesh), {.name = pot_name(body, stage)},
+                                          pot_extras(clay, stage)),
+                   .title = fmt::format("Onggi pot, {} {}, {:.1f} mm high", name_of(stage), name_of(body),
+                                        clay.height_mm() * scale),
+                   .note = printing_note(clay::measure_pot(clay.rings(), body, stage).thinnest_wall_mm)};
 }
 
 }  // namespace onggi::exporter

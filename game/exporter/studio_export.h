@@ -1,6 +1,5 @@
-// A pot of the studio clay as a file for other programs: both walls, rim and floor, with the size and the
-// surface of its stage of firing. Any thread but the haptic one. Returns bytes; engine/files writes them to
-// disk.
+// A pot of the studio clay as files for other programs: both walls, rim and floor, with the size of its stage
+// of firing. look/pot_pictures.h adds its surface. Any thread but the haptic one.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +13,9 @@
 
 namespace onggi::exporter {
 
-// The surface at that stage: wet clay has a gloss of water, a glaze one of glass (KHR_materials_clearcoat);
-// dry and bisque clay is matt. Stoneware gets a celadon, the others a clear glaze.
-asset::Material pot_material(clay::ClayBody body, clay::Firing stage);
-
-std::string_view name_of(clay::ClayBody body);  // "stoneware", "porcelain", "earthenware"
-std::string_view name_of(clay::Firing stage);   // "wet", "dry", "bisque", "glaze"
+std::string_view name_of(clay::ClayBody body);                  // "stoneware", "porcelain", "earthenware"
+std::string_view name_of(clay::Firing stage);                   // "wet", "dry", "bisque", "glaze"
+std::string pot_name(clay::ClayBody body, clay::Firing stage);  // "wet stoneware", "glazed porcelain"
 
 // A file's data about its pot, lengths in mm at that stage unless named wet_ or fired_: height_mm,
 // max_diameter_mm, mouth_mm (outer diameter at the rim, as museums measure), foot_mm, floor_mm, volume_mm3
@@ -29,11 +25,7 @@ std::string_view name_of(clay::Firing stage);   // "wet", "dry", "bisque", "glaz
 // ledger_trimmings_mm3, ledger_slip_mm3, ledger_error_mm3.
 std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, clay::Firing stage);
 
-// The file's bytes, the same for the same clay on every machine. kBadInput: see build_pot_solid. `material`
-// replaces that of body and stage, for a glaze of the visitor's choice. `picture` may be null; it goes into a
-// 3MF.
-Result<std::vector<std::byte>> export_pot(const clay::StudioClay& clay, clay::Firing stage, ExportKind kind,
-                                          const asset::Material* material = nullptr,
-                                          const asset::Image* picture = nullptr);
+// The solid for 3D printers, with a material that has a name alone. kBadInput: see build_pot_solid().
+Result<PotFile> pot_file(const clay::StudioClay& clay, clay::Firing stage);
 
 }  // namespace onggi::exporter

@@ -15,6 +15,7 @@
 #include "engine/render/shapes/detail_texture.h"
 #include "engine/render/shapes/frame_build.h"
 #include "engine/render/shapes/lathe_mesh.h"
+#include "game/exporter/studio_export.h"
 #include "game/finish/glaze_surface.h"
 #include "game/finish/mark_colour.h"
 #include "shaders/lathe.h"
@@ -267,13 +268,14 @@ PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::
     return pictures;
 }
 
-Result<std::vector<std::byte>> dressed_glb(const exporter::PotRings& rings, const PotLook& look,
-                                           exporter::PotFile file) {
+Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::Firing stage,
+                                           const PotLook& look) {
+    const exporter::PotRings rings = exporter::rings_of(clay.rings());
+    const double shrinkage = clay::shrunk_scale(clay.lump().body, stage);
     auto pot = exporter::build_pot_solid(
-        rings,
-        {.shrinkage = file.shrinkage, .most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
+        rings, {.shrinkage = shrinkage, .most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
     if (!pot) return pot.error();
-    const PotPictures pictures = bake(pot->picture_rows, rings, file.shrinkage, look);
+    const PotPictures pictures = bake(pot->picture_rows, rings, shrinkage, look);
     asset::Material material{
         .name = look.name, .base_colour_linear = dvec3(1.0), .roughness = 1.0, .metallic = 1.0};
     // Higher quality where the eye is sensitive: colour, then shape.
@@ -297,7 +299,8 @@ Result<std::vector<std::byte>> dressed_glb(const exporter::PotRings& rings, cons
     }
     if (!done) return done.error();
     asset::order_for_drawing(pot->mesh);
-    return exporter::glb_of(std::move(pot->mesh), std::move(material), std::move(file.extras));
+    return asset::encode_glb(
+        exporter::pot_content(std::move(pot->mesh), std::move(material), exporter::pot_extras(clay, stage)));
 }
 
 }  // namespace onggi::look

@@ -11,8 +11,9 @@
 #include "engine/core/result.h"
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
+#include "game/clay/studio/pot.h"
+#include "game/clay/studio/studio_clay.h"
 #include "game/decoration/canvas.h"
-#include "game/exporter/export.h"
 #include "game/exporter/pot_rings.h"
 #include "game/exporter/pot_solid.h"
 #include "game/finish/glaze.h"
@@ -66,8 +67,8 @@ struct PotPictures {
 [[nodiscard]] PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::PotRings& rings,
                                double shrinkage, const PotLook& look);
 
-// The pot as a GLB with its look; extras as in exporter::PotFile. kBadInput: see build_pot_solid().
-[[nodiscard]] Result<std::vector<std::byte>> dressed_glb(const exporter::PotRings& rings, const PotLook& look,
-                                                         exporter::PotFile file);
+// The pot as a GLB with its look, at the size of its stage. kBadInput: see build_pot_solid().
+[[nodiscard]] Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::Firing stage,
+                                                         const PotLook& look);
 
 }  // namespace onggi::look

@@ -14,7 +14,7 @@ void export_glb(benchmark::State& state) {
     std::size_t bytes = 0;
     for ([[maybe_unused]] auto iteration : state) {
         const Result<std::vector<std::byte>> glb =
-            exporter::export_pot(pot.rings(), exporter::ExportKind::kGlb);
+            exporter::encode_pot(exporter::pot_file(pot.rings()), exporter::ExportKind::kGlb);
         if (!glb || glb->size() < 100000) {
             fail(state, "the export gave no pot");
             return;

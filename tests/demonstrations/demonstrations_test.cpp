@@ -82,7 +82,7 @@ TEST_P(Demonstration, LeavesThePotItIsThereForAsASoundSolid) {
     }
 
     for (const auto stage : {clay::Firing::kWet, clay::Firing::kGlaze}) {
-        const auto bytes = exporter::export_pot(clay, stage, exporter::ExportKind::kGlb);
+        const auto bytes = exporter::encode_pot(exporter::pot_file(clay, stage), exporter::ExportKind::kGlb);
         ASSERT_TRUE(bytes) << bytes.error().message;
         const auto file = support::read_glb(*bytes);
         ASSERT_TRUE(file) << file.error().message;

@@ -33,10 +33,8 @@ double scale_of(const StudioSample& pot) {
 }
 
 std::vector<std::byte> dressed(const StudioSample& pot) {
-    const clay::ClayBody body = pot.clay.lump().body;
     auto bytes = look::dressed_glb(
-        exporter::rings_of(pot.clay.rings()), look::lathe_look(wheel::clay_material(body, pot.stage), "clay"),
-        {.extras = exporter::pot_extras(pot.clay, pot.stage), .shrinkage = scale_of(pot)});
+        pot.clay, pot.stage, look::lathe_look(wheel::clay_material(pot.clay.lump().body, pot.stage), "clay"));
     EXPECT_TRUE(bytes) << pot.name << ": " << (bytes ? "" : bytes.error().message);
     return bytes ? *bytes : std::vector<std::byte>{};
 }
@@ -69,6 +67,8 @@ TEST(DressedPot, IsASoundSolidOfTheClaysVolumeWithinWhatAPhoneBears) {
         EXPECT_EQ(support::find_faults(file->mesh, expected), std::vector<std::string>{}) << pot.name;
         EXPECT_LE(file->mesh.indices.size() / 3, exporter::kMaxSharedTriangles) << pot.name;
         EXPECT_LE(gzipped(bytes), 1'000'000U) << pot.name;
+        const bool shines = pot.stage == clay::Firing::kWet || pot.stage == clay::Firing::kGlaze;
+        EXPECT_EQ(file->json.at("materials").at(0).contains("extensions"), shines) << pot.name;
     }
 }
 

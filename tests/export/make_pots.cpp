@@ -28,19 +28,15 @@ bool write(const std::filesystem::path& path, const std::vector<std::byte>& byte
     return file.good();
 }
 
-// Writes all file formats; returns false after printing an error.
-template <typename Export>
-bool write_all(const std::filesystem::path& folder, const std::string& name, Export export_as) {
-    for (const auto& [kind, ending] : {std::pair{exporter::ExportKind::kGlb, ".glb"},
-                                       {exporter::ExportKind::kStl, ".stl"},
-                                       {exporter::ExportKind::k3mf, ".3mf"}}) {
-        const Result<std::vector<std::byte>> bytes = export_as(kind);
-        const std::filesystem::path path = folder / (name + ending);
-        if (bytes && write(path, *bytes)) continue;
-        fmt::print(stderr, "{}: {}\n", path.string(), bytes ? "cannot be written" : bytes.error().message);
-        return false;
-    }
-    return true;
+bool write(const std::filesystem::path& path, const Result<std::vector<std::byte>>& bytes) {
+    if (bytes && write(path, *bytes)) return true;
+    fmt::print(stderr, "{}: {}\n", path.string(), bytes ? "cannot be written" : bytes.error().message);
+    return false;
+}
+
+bool write_print(const std::filesystem::path& place, const Result<exporter::PotFile>& pot) {
+    return write(place.string() + ".stl", exporter::encode_pot(pot, exporter::ExportKind::kStl)) &&
+           write(place.string() + ".3mf", exporter::encode_pot(pot, exporter::ExportKind::k3mf));
 }
 
 void say(const std::string& name, const exporter::PotSolid& built) {
@@ -51,7 +47,9 @@ void say(const std::string& name, const exporter::PotSolid& built) {
 
 bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample& pot,
                    nlohmann::json& expected) {
-    if (!write_all(folder, pot.name, [&](auto kind) { return exporter::export_pot(pot.rings(), kind); }))
+    const auto file = exporter::pot_file(pot.rings());
+    if (!write_print(folder / pot.name, file) ||
+        !write(folder / (pot.name + ".glb"), exporter::encode_pot(file, exporter::ExportKind::kGlb)))
         return false;
     const auto built = exporter::build_pot_solid(pot.rings());
     if (!built) return false;
@@ -65,37 +63,18 @@ bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample
     return true;
 }
 
-// The same pot with textures, as visitors take it home.
-bool add_dressed_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
-                     nlohmann::json& expected) {
-    const clay::ClayBody body = pot.clay.lump().body;
-    const exporter::PotRings rings = exporter::rings_of(pot.clay.rings());
-    const double shrinkage = clay::shrunk_scale(body, pot.stage);
-    const auto bytes =
-        look::dressed_glb(rings, look::lathe_look(wheel::clay_material(body, pot.stage), "clay"),
-                          {.extras = exporter::pot_extras(pot.clay, pot.stage), .shrinkage = shrinkage});
-    const auto built =
-        exporter::build_pot_solid(rings, {.most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
-    const std::string name = pot.name + "_dressed";
-    if (!bytes || !built || !write(folder / (name + ".glb"), *bytes)) {
-        fmt::print(stderr, "{}: {}\n", name, bytes ? "cannot be written" : bytes.error().message);
-        return false;
-    }
-    nlohmann::json entry = expected.back();
-    entry["name"] = name;
-    entry["dressed"] = true;
-    entry["triangles"] = built->mesh.triangle_count();
-    expected.push_back(std::move(entry));
-    return true;
-}
-
+// The GLB has the pot's look, as what visitors take home.
 bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                     nlohmann::json& expected) {
-    if (!write_all(folder, pot.name,
-                   [&](auto kind) { return exporter::export_pot(pot.clay, pot.stage, kind); }))
+    const clay::ClayBody body = pot.clay.lump().body;
+    const auto worn = look::lathe_look(wheel::clay_material(body, pot.stage), "clay");
+    if (!write_print(folder / pot.name, exporter::pot_file(pot.clay, pot.stage)) ||
+        !write(folder / (pot.name + ".glb"), look::dressed_glb(pot.clay, pot.stage, worn)))
         return false;
-    const double scale = 1e-3 * clay::shrunk_scale(pot.clay.lump().body, pot.stage);
-    const auto built = exporter::build_pot_solid(exporter::rings_of(pot.clay.rings()));
+    const double scale = 1e-3 * clay::shrunk_scale(body, pot.stage);
+    const auto built =
+        exporter::build_pot_solid(exporter::rings_of(pot.clay.rings()),
+                                  {.most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
     if (!built) return false;
     const auto outer = pot.clay.outer_mm();
     // Clay off its axis is wider across than twice its radius; the browser's check is for calm pots.
@@ -104,10 +83,10 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
                         {"diameter_m", 2.0 * *std::max_element(outer.begin(), outer.end()) * scale},
                         {"volume_m3", pot.clay.volume_mm3() * scale * scale * scale},
                         {"hand_made", pot.calm && pot.off_axis_mm == 0.0},
-                        {"wet", pot.stage == clay::Firing::kWet},
+                        {"dressed", true},
                         {"triangles", built->mesh.triangle_count()}});
     say(pot.name, *built);
-    return !(pot.calm && pot.off_axis_mm == 0.0) || add_dressed_pot(folder, pot, expected);
+    return true;
 }
 
 }  // namespace

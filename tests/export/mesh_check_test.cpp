@@ -15,7 +15,7 @@ using support::SolidMesh;
 class MeshCheck : public testing::Test {
   protected:
     MeshCheck() : pot_(support::vase(2000)) {
-        const auto bytes = exporter::export_pot(pot_.rings(), exporter::ExportKind::kGlb);
+        const auto bytes = exporter::encode_pot(exporter::pot_file(pot_.rings()), exporter::ExportKind::kGlb);
         if (bytes) glb_ = *bytes;
         if (const auto file = support::read_glb(glb_)) mesh_ = file->mesh;
         double max_radius_mm = 0.0;

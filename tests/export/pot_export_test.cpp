@@ -53,7 +53,8 @@ support::ExpectedPot expected_of(const PotSample& pot) {
 class ExportedPot : public testing::TestWithParam<PotSample> {
   protected:
     [[nodiscard]] std::vector<std::byte> bytes(ExportKind kind) const {
-        const Result<std::vector<std::byte>> exported = exporter::export_pot(GetParam().rings(), kind);
+        const Result<std::vector<std::byte>> exported =
+            exporter::encode_pot(exporter::pot_file(GetParam().rings()), kind);
         EXPECT_TRUE(exported) << (exported ? "" : exported.error().message);
         return exported ? *exported : std::vector<std::byte>{};
     }

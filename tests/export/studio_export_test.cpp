@@ -54,7 +54,7 @@ const std::vector<StudioSample>& samples() {
 }
 
 std::vector<std::byte> bytes_of(const StudioSample& pot, ExportKind kind) {
-    const auto bytes = exporter::export_pot(pot.clay, pot.stage, kind);
+    const auto bytes = exporter::encode_pot(exporter::pot_file(pot.clay, pot.stage), kind);
     EXPECT_TRUE(bytes) << pot.name << ": " << (bytes ? "" : bytes.error().message);
     return bytes ? *bytes : std::vector<std::byte>{};
 }
@@ -262,38 +262,10 @@ TEST(StudioExport, TellsTheWallEveryFiveMillimetresOfACylinder) {
     EXPECT_EQ(std::get<std::string>(find("body")), "stoneware");
 }
 
-TEST(StudioExport, ShinesWhenWetOrGlazedAndNotBetween) {
-    for (const auto body :
-         {clay::ClayBody::kStoneware, clay::ClayBody::kPorcelain, clay::ClayBody::kEarthenware}) {
-        const auto coat = [&](clay::Firing stage) {
-            return exporter::pot_material(body, stage).clearcoat.factor;
-        };
-        EXPECT_GT(coat(clay::Firing::kWet), 0.0);
-        EXPECT_EQ(coat(clay::Firing::kDry), 0.0);
-        EXPECT_EQ(coat(clay::Firing::kBisque), 0.0);
-        EXPECT_EQ(coat(clay::Firing::kGlaze), 1.0);
-        // Wet clay is darker than dry.
-        const dvec3 wet = exporter::pot_material(body, clay::Firing::kWet).base_colour_linear;
-        const dvec3 dry = exporter::pot_material(body, clay::Firing::kDry).base_colour_linear;
-        EXPECT_LT(wet.x, dry.x);
-        EXPECT_LT(wet.y, dry.y);
-        EXPECT_LT(wet.z, dry.z);
-    }
-    for (const StudioSample& pot : samples()) {
-        const nlohmann::json json = glb_of(pot).json;
-        const bool shines = pot.stage == clay::Firing::kWet || pot.stage == clay::Firing::kGlaze;
-        EXPECT_EQ(json.contains("extensionsUsed"), shines) << pot.name;
-        if (!shines) continue;
-        const nlohmann::json& coat =
-            json.at("materials").at(0).at("extensions").at("KHR_materials_clearcoat");
-        EXPECT_GT(coat.at("clearcoatFactor").get<double>(), 0.0) << pot.name;
-    }
-}
-
 TEST(StudioExport, RefusesClayThatIsNoPot) {
     clay::StudioClay flat({.mass_g = 500.0});
     flat.set_wall(45.0, 5.0, 0.5, 0.8, 8);
-    auto refused = exporter::export_pot(flat, clay::Firing::kWet, ExportKind::kGlb);
+    const auto refused = exporter::pot_file(flat, clay::Firing::kWet);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::kBadInput);
     EXPECT_NE(refused.error().message.find("expected a height of 1"), std::string::npos);

@@ -68,7 +68,8 @@ Result<sharing::ShareCode> put(const Words& words) {
     auto picture = asset::encode_png(
         {.width = painting.width, .height = painting.height, .rgba = painting.rgba});  // opaque
     auto model = app::glazed_model(**clay, *material, fired.shape.marks.get());
-    auto print = exporter::export_pot(**clay, clay::Firing::kGlaze, exporter::ExportKind::kStl);
+    auto print =
+        exporter::encode_pot(exporter::pot_file(**clay, clay::Firing::kGlaze), exporter::ExportKind::kStl);
     if (!picture) return picture.error();
     if (!model) return model.error();
     if (!print) return print.error();

@@ -27,13 +27,10 @@ function compare(found, pot) {
         expect(found.coverage > 0.03 && found.coverage < 0.6 && found.luminance > 40, 'expected a pot in the light');
         return;
     }
-    const type = pot.wet ? 'MeshPhysicalMaterial' : 'MeshStandardMaterial';  // water shines by a layer of its own
-    expect(material.type === type && material.side === 'front' && !material.textured,
+    expect(material.type === 'MeshStandardMaterial' && material.side === 'front' && !material.textured,
         `expected a plain one-sided material, found ${JSON.stringify(material)}`);
-    if (!pot.wet) {
-        expect(CLAY.every((channel, i) => near(material.colour[i], channel, 1e-6)), `expected ${CLAY}, found ${material.colour}`);
-        expect(near(material.roughness, 0.62, 1e-6) && material.metalness === 0, 'expected rough clay, not metal');
-    }
+    expect(CLAY.every((channel, i) => near(material.colour[i], channel, 1e-6)), `expected ${CLAY}, found ${material.colour}`);
+    expect(near(material.roughness, 0.62, 1e-6) && material.metalness === 0, 'expected rough clay, not metal');
     expect(/^Onggi \d+\.\d+\.\d+$/.test(found.generator), `expected the program's name, found ${found.generator}`);
     expect(near(found.extras.height_mm, pot.height_m * 1000, 1e-9), 'expected the height among the extras');
     expect(near(found.extras.volume_mm3 * 1e-9, pot.volume_m3, 1e-9 * pot.volume_m3), 'expected the volume among them');

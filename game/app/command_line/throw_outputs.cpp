@@ -214,18 +214,17 @@ Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::Hapti
 
 Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, exporter::ExportKind kind,
                                            clay::Firing stage, const asset::Image* picture) {
-    if (kind == exporter::ExportKind::kGlb && state.studio() != nullptr) {
-        const clay::ClayBody body = state.studio()->lump().body;
+    const clay::StudioClay* studio = state.studio();
+    if (kind == exporter::ExportKind::kGlb && studio != nullptr) {
+        const clay::ClayBody body = studio->lump().body;
         return look::dressed_glb(
-            exporter::rings_of(state.studio()->rings()),
-            look::lathe_look(wheel::clay_material(body, stage), exporter::pot_material(body, stage).name),
-            {.extras = exporter::pot_extras(*state.studio(), stage),
-             .shrinkage = clay::shrunk_scale(body, stage)});
+            *studio, stage,
+            look::lathe_look(wheel::clay_material(body, stage), exporter::pot_name(body, stage)));
     }
-    if (const clay::StudioClay* studio = state.studio())
-        return exporter::export_pot(*studio, stage, kind, nullptr, picture);
-    return exporter::export_pot(exporter::rings_of(state.height_mm(), state.paper()->radii_mm()), kind,
-                                picture);
+    return exporter::encode_pot(studio != nullptr ? exporter::pot_file(*studio, stage)
+                                                  : exporter::pot_file(exporter::rings_of(
+                                                        state.height_mm(), state.paper()->radii_mm())),
+                                kind, picture);
 }
 
 Result<void> check_outputs(const ThrowOutputs& outputs) {

@@ -30,7 +30,7 @@ TEST(ExportKindOf, RejectsOtherEndingsAndNamesThoseKnown) {
 }
 
 std::string refusal(double height_mm, const std::vector<float>& radii_mm) {
-    return test::refusal(export_pot(rings_of(height_mm, radii_mm), ExportKind::kGlb));
+    return test::refusal(encode_pot(pot_file(rings_of(height_mm, radii_mm)), ExportKind::kGlb));
 }
 
 TEST(ExportPot, RejectsWhatIsNoPot) {
@@ -52,7 +52,7 @@ TEST(ExportPot, MakesSoundNumbersAtTheLimitsOfAPot) {
         for (const float radius_mm : {0.1F, 1000.0F}) {
             EXPECT_EQ(refusal(height_mm, std::vector<float>(200000, radius_mm)), "accepted");
             const std::vector<float> radii_mm{radius_mm};
-            EXPECT_TRUE(export_pot(rings_of(height_mm, radii_mm), ExportKind::kStl))
+            EXPECT_TRUE(encode_pot(pot_file(rings_of(height_mm, radii_mm)), ExportKind::kStl))
                 << "which refuses triangles without area";
         }
     }

@@ -46,13 +46,12 @@ asset::Image straight_picture(ui::Painting painting) {
 
 Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
                                             const decoration::Marks* marks) {
-    const double scale = clay::shrunk_scale(clay.lump().body, clay::Firing::kGlaze);
-    const auto height_mm = static_cast<float>(clay.height_mm() * scale);
+    constexpr clay::Firing kStage = clay::Firing::kGlaze;
+    const auto height_mm =
+        static_cast<float>(clay.height_mm() * clay::shrunk_scale(clay.lump().body, kStage));
     look::PotLook worn = look::glaze_look(glaze, height_mm);
     if (marks != nullptr) worn = look::marked_look(std::move(worn), *marks, glaze.marks, height_mm);
-    return look::dressed_glb(
-        exporter::rings_of(clay.rings()), worn,
-        {.extras = exporter::pot_extras(clay, clay::Firing::kGlaze), .shrinkage = scale});
+    return look::dressed_glb(clay, kStage, worn);
 }
 
 std::string today() {
@@ -165,20 +164,17 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             return written.error();
     }
     {
-        // Made first, so that its pixels are freed before the other solids are made.
+        // Pixels and solid are freed before the next pictures and solid are made.
         const asset::Image portrait = straight_picture(std::move(pot.portrait));
         if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
-        if (auto written =
-                write("pot.3mf", exporter::export_pot(*pot.clay, clay::Firing::kGlaze,
-                                                      exporter::ExportKind::k3mf, nullptr, &portrait));
-            !written)
+        const auto print = exporter::pot_file(*pot.clay, clay::Firing::kGlaze);
+        using enum exporter::ExportKind;
+        if (auto written = write("pot.3mf", exporter::encode_pot(print, k3mf, &portrait)); !written)
+            return written.error();
+        if (auto written = write("pot.stl", exporter::encode_pot(print, kStl)); !written)
             return written.error();
     }
     if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get())); !written)
-        return written.error();
-    if (auto written = write(
-            "pot.stl", exporter::export_pot(*pot.clay, clay::Firing::kGlaze, exporter::ExportKind::kStl));
-        !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();
     make_room(place, today);  // only now: a pot that cannot be kept deletes no other
