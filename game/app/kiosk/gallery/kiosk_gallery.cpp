@@ -140,7 +140,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     for (const fs::path& entry : list_folder(folder_ / today).entries)
         number = std::max(number, number_of(entry.filename().string()) + 1);
     const auto place_of = [&] { return folder_ / today / fmt::format("pot-{:03}", number); };
-    // A failing disk may have listed only some of them.
+    // If the disk fails, the listing may be incomplete.
     while (fs::exists(place_of(), error))
         ++number;
 
@@ -165,7 +165,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             return written.error();
     }
     {
-        // Made first, so that its pixels are freed before the other solids are made.
+        // The picture comes first, so that its pixels are freed before the solids are made.
         const asset::Image portrait = straight_picture(std::move(pot.portrait));
         if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
         if (auto written =
