@@ -1,4 +1,4 @@
-// Joining two pots rim to rim: what is preserved, turned over and cut out; the joined pot can be thrown on.
+// Joining two pots rim to rim: what stays, is turned over and is cut out; the joined pot can be thrown on.
 #include "game/clay/studio/joining.h"
 
 #include <algorithm>

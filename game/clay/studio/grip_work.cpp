@@ -641,7 +641,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     return open_bore(rings, bore_of(state));
 }
 
-// Solid clay that is asked to do what only hollow clay can: the other hand opens it.
+// Solid clay got a touch that needs hollow clay: the other hand opens the clay.
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
     const double widest = 0.45 * outer_face_mm(rings, 0.5 * rings.top_mm());
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);

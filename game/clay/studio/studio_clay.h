@@ -85,8 +85,7 @@ Result<void> check(const StudioLump& lump);
 //   the clay as fast as it may instead of not at all. The refusal stays as the final check.
 // Differs: sectors do not take part in the flow of the mean circle. A bump passing under the hand would cone
 //   the whole ring, as off-centre clay would.
-// Differs: forces use the depth before the tick's flow; the flow removes about a hundredth of it.
-// Differs: at 2 kHz and faster, walls yield as a whole in every second tick at most; load, slump, split and
+// Differs: forces use the depth before the tick's flow, which removes about a hundredth of that depth.
 //   join run in the ticks between, each with the time step of both.
 class StudioClay {
   public:
