@@ -179,7 +179,7 @@ TEST(SafetyEnergy, LatchesAFaultAboveAQuarterOfAJouleInASecond) {
     state = engaged();
     give_mj(state, above(250.0));
     EXPECT_EQ(state.fault, Fault::kEnergyGenerated);
-    EXPECT_EQ(state.generated_mj, 0.0) << "whoever rearms begins anew";
+    EXPECT_EQ(state.generated_mj, 0.0) << "rearming restarts the balance";
     EXPECT_EQ(apply_safety_chain(kPush, still(), {}, state), dvec3(0.0));
     rearm(state);
     apply_safety_chain(dvec3(0.0), still(), {}, state);
@@ -233,7 +233,7 @@ TEST(SafetyNumbers, APositionIsStaleAtTheSecondTickAndAfterTwoPeriodsOfTheDevice
     SafetyState state = engaged();
     EXPECT_EQ(hand(kPush, old, {}, state), kPush);
     EXPECT_LT(hand(kPush, old, {}, state).x, 1.0);
-    // Of a device that reports every 4 ms, at its ninth ms.
+    // A device that reports every 4 ms is stale at its ninth ms.
     const SafetyLimits slow = limits_for({.name = "usb", .force_axes = 2, .report_rate_hz = 250.0});
     SafetyState usb = engaged();
     for (int ms = 1; ms <= 8; ++ms)
