@@ -84,7 +84,7 @@ struct Throwing {
     std::optional<int> target{};       // index of the heritage pot; empty: free throwing
     int steps_done = 0;                // 0 to kTeachingSteps; at the end: "now make it yours"
     bool looks_in = false;             // the camera looks from above into the pot
-    std::optional<ShownStep> shown{};  // what is demonstrated on the visitor's clay
+    std::optional<ShownStep> shown{};  // the demonstration on the visitor's clay
     tool::Tool held = tool::Tool::kHand;
     bool tray = false;  // the ledge shows the tray of tools
     int tool = 2;
