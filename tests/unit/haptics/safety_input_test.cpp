@@ -187,7 +187,7 @@ std::vector<SafetyInput> unsound_inputs() {
     return all;
 }
 
-TEST(SafetyInputs, ThatAreNotSoundLatchAFaultAndLeaveNothingBehind) {
+TEST(SafetyInputs, ThatAreUnsoundLatchAFaultAndLeaveNoTrace) {
     const std::vector<SafetyInput> all = unsound_inputs();
     for (std::size_t k = 0; k < all.size(); ++k) {
         SafetyState state = engaged();
@@ -254,7 +254,7 @@ TEST(SafetyInputs, ThatAreNotFiniteLatchAFaultWhicheverNumberItIs) {
     }
 }
 
-TEST(SafetyInputs, SayInWordsWhatWasWrong) {
+TEST(SafetyInputs, HaveAFaultInWords) {
     std::vector<std::string_view> all;
     for (int fault = 0; fault <= static_cast<int>(Fault::kEnergyGenerated); ++fault) {
         const std::string_view words = words_for(static_cast<Fault>(fault));

@@ -45,7 +45,7 @@ TEST(SafetyNumbers, ATickLastsATenthOfASecondAtMost) {
     EXPECT_EQ(fault_of(still(below(0.0))), Fault::kInputNotSound);
 }
 
-TEST(SafetyNumbers, ADeviceAppliesBetweenNothingAndAllOfAForce) {
+TEST(SafetyNumbers, ADeviceAppliesAFractionOfZeroToOne) {
     SafetyInput input = still();
     for (const double sound : {0.0, 0.5, 1.0}) {
         input.applied_fraction = sound;
@@ -193,7 +193,7 @@ TEST(SafetyEnergy, ForgetsATenthInATenthOfASecond) {
     EXPECT_NEAR(state.generated_mj, 90.0, 1e-12);
 }
 
-TEST(SafetyEnergy, CountsWhatTheWallTookAndNeverSavesIt) {
+TEST(SafetyEnergy, CreditsTakenEnergyButNeverSavesItUp) {
     SafetyState state = engaged();
     give_mj(state, 100.0);
     give_mj(state, -60.0);
@@ -202,7 +202,7 @@ TEST(SafetyEnergy, CountsWhatTheWallTookAndNeverSavesIt) {
     EXPECT_EQ(state.generated_mj, 0.0);
 }
 
-TEST(SafetyEnergy, CountsNothingThatTheWheelDrives) {
+TEST(SafetyEnergy, IgnoresTheWorkThatTheWheelDrives) {
     SafetyState state = engaged();
     passivity(dvec3(0.0), {.dt_s = kMillisecond}, {}, state);
     state.applied_force_n = state.applied_driven_n = kPush;
@@ -310,7 +310,7 @@ TEST(SafetyNumbers, AForceGrowsByTwoHundredAndGoesByTwoThousandNewtonsASecond) {
     EXPECT_EQ(slew(dvec3(0.0), still(), {}, state), dvec3(0.0));
 }
 
-TEST(SafetyNumbers, ThePeakIsWhatTheClampGives) {
+TEST(SafetyNumbers, ThePeakIsTheClampsBound) {
     SafetyState state = engaged();
     EXPECT_EQ(clamp({0.0, 3.3, 0.0}, still(), {}, state).y, 3.3);
     EXPECT_EQ(clamp({0.0, above(3.3), 0.0}, still(), {}, state).y, 3.3);

@@ -63,7 +63,7 @@ TEST(RejectsSession, OfANewerOrUnknownVersion) {
     EXPECT_NE(refusal(bytes).find("newer program"), std::string::npos);
 }
 
-TEST(RejectsSession, WithASupplementThatIsNone) {
+TEST(RejectsSession, WithAnInvalidSupplement) {
     const std::string good = session_bytes(1500, kSupplement);
     const std::size_t at = session_bytes(1500).size() - 40;  // where the end would be
     const auto with = [&](std::size_t field, std::uint32_t number) {

@@ -126,7 +126,7 @@ TEST_F(LathePixels, GrowEvenlyBetweenTheCornersWhicheverBlockTheyAreIn) {
     }
 }
 
-TEST_F(LathePixels, ShowWhatIsNearest) {
+TEST_F(LathePixels, ShowTheNearestSurface) {
     const auto of = [&](float depth, float ambient) {
         std::vector<LatheCorner> corners = sheet(depth);
         for (LatheCorner& own : corners)
@@ -145,7 +145,7 @@ TEST_F(LathePixels, ShowWhatIsNearest) {
     EXPECT_NEAR(pixels_.back() & 255U, shown(0.3F), 0.6F) << "to the last pixel";
 }
 
-TEST_F(LathePixels, HaveNothingOfWhatIsBehindTheEyeOrLooksAwayOrHasNoArea) {
+TEST_F(LathePixels, SkipTrianglesBehindTheEyeFacingAwayOrWithoutArea) {
     std::vector<LatheCorner> corners = sheet();
     corners[1].away_mm = 0.0F;
     draw(corners, kSheet);

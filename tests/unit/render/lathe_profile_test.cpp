@@ -62,7 +62,7 @@ TEST(LatheProfile, RoundsBothEdgesOfAThickRimAndLeavesItFlatBetween) {
     EXPECT_NEAR(flat, 22.0F, 1e-3F);
 }
 
-TEST(LatheProfile, ClosesASolidOneAcrossItsTopWithTheEdgeThereIsRoomFor) {
+TEST(LatheProfile, ClosesASolidPotAcrossItsTopWithTheLargestEdgeThatFits) {
     const std::vector<float> radii(2000, 60.0F);
     const LatheProfile profile = solid(radii, 2.5F);
     EXPECT_FALSE(profile.hollow);
