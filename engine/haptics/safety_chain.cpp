@@ -18,7 +18,8 @@ SafetyLimits limits_for(const DeviceCapabilities& device) {
         constexpr double kAnySpeedMmS = 1e9;
         limits.brake_speed_mm_s = limits.stop_speed_mm_s = kAnySpeedMmS;
     }
-    // Nor can it feed energy to a hand: a finger on a screen may come down anywhere, even deep in the work.
+    // It cannot feed energy to a hand either: a finger on a screen may come down anywhere, even deep in the
+    // work.
     constexpr double kAnyEnergyMj = 1e9;
     if (!device.has_motors || device.force_axes == 0) limits.most_generated_mj = kAnyEnergyMj;
     if (device.report_rate_hz > 0.0) limits.device_period_s = 1.0 / device.report_rate_hz;

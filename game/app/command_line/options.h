@@ -25,7 +25,8 @@ struct StartPot {
     std::optional<double> mouth_mm = {};  // the opening cut into the joined pot; inside diameter
 };
 
-// What to throw: a hand's path, and for a gesture the rate and the clay, which its file does not contain.
+// The input of a throw: a hand's path and, for a gesture, the rate and the clay, which its file does not
+// contain.
 struct InputOptions {
     std::string file;  // a gesture or a session, recognised by its content
     std::optional<double> rate_hz = {};

@@ -10,7 +10,7 @@
 
 namespace onggi::clay::studio {
 
-// How the hands follow the finger, and which grip they take.
+// The path of the hands behind the finger, and the choice of their grip.
 
 namespace {
 
@@ -223,7 +223,7 @@ GripReport report_of(const GripState& state, const dvec2& finger) noexcept {
             .high_mm = state.high_mm};
 }
 
-// What they do to the clay.
+// The moves of the hands on the clay.
 
 namespace {
 

@@ -175,17 +175,17 @@ class StudioClay {
     template <typename Self, typename Visitor>
     static void visit_state(Self& self, Visitor& visitor);
 
-    // Which of the hands no grip guides in this tick; the second may be the assist.
+    // The hands that no grip guides in this tick; the second may be the assist.
     struct Hands {
         std::array<bool, 2> present{};
         bool opposite = false;  // each bears against the other, across a wall
     };
 
     void use_wire(const tool::ToolState& tool);
-    // touch: of those that press, and are not guided. Leaves them in hands_, and in contacts_ what each of
-    // them touches.
+    // touch: whether the first hand presses and is not guided. Fills in hands_ and, for each hand present,
+    // its contact in contacts_.
     Hands find_hands(const tool::ToolState& tool, const StudioParameters& parameters, bool touch);
-    // What the hands feel, then what they do to the clay.
+    // Computes the forces on the hands, then lets the hands work the clay.
     void work_hands(const Hands& hands, double water, const StudioParameters& parameters,
                     StudioForces& result);
     studio::Changed act(studio::Contact& contact, const studio::Hand& hand, const studio::Hand* other,

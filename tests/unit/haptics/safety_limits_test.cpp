@@ -276,7 +276,7 @@ TEST(SafetyNumbers, TheKioskGivesItsProfileAndADeviceWithoutMotorsThePeakForEver
     EXPECT_EQ(limits_for({.name = "every read", .force_axes = 1}).device_period_s, 0.0);
 }
 
-// What the budget leaves of 3.3 N where this fraction of the full mean is spent.
+// The bound that the budget sets at this fraction of the full mean.
 double left_of_the_peak(double fraction) {
     SafetyState state = engaged();
     state.heat_n2 = fraction * 0.88 * 0.88;

@@ -16,7 +16,7 @@ LatheProfile solid(const std::vector<float>& radii, float rounding_mm) {
     return profile;
 }
 
-// What a walk with the clay on its left hand encloses, turned about the axis: pi r^2 dy over all pieces.
+// The volume enclosed by a walk with the clay on its left, turned about the axis: pi r^2 dy over all pieces.
 double volume_mm3(const LatheProfile& profile) {
     double volume = 0.0;
     for (std::size_t i = 1; i < profile.points.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 using Kind = PointerNews::Kind;
 
 constexpr float kLifePx = 24.0F;  // vibration moves a mouse by less, so smaller motion is not a visitor
-// Nor is a single jump a visitor: display servers put the pointer of a new window at the last touch.
+// A single jump does not count either: display servers put the pointer of a new window at the last touch.
 constexpr double kOnItsWayS = 2.0;
 // A landing finger is first reported as a jump of the mouse; if it lands on a target, only the press counts.
 constexpr double kLandingS = 0.08;
