@@ -35,9 +35,10 @@ struct GltfPart {
 };
 
 struct GltfModel {
-    std::vector<Material> materials;    // factors only, textures are not read
-    std::vector<GltfPart> parts;        // in the order of the scene's nodes; at least one
-    std::vector<std::string> left_out;  // "mesh 'grid': lines", each once: what is there and is not drawn
+    std::vector<Material> materials;  // factors only, textures are not read
+    std::vector<GltfPart> parts;      // in the order of the scene's nodes; at least one
+    // parts that are not drawn, each once, for example "mesh 'grid': lines"
+    std::vector<std::string> left_out;
 };
 
 // Reads the default scene, or the first; in a file without scenes, all root nodes. Triangles, strips and fans

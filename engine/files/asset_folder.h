@@ -10,7 +10,7 @@ namespace onggi::files {
 
 // The inputs of the search, which tests can set.
 struct AssetPlaces {
-    std::string chosen;             // the folder that the user chose; empty: none chosen
+    std::string chosen;             // the folder that the user chose; empty if none was chosen
     std::filesystem::path program;  // the program's own file, absolute
 };
 // $ONGGI_ASSETS, and the file that is running.

@@ -16,7 +16,7 @@ DeviceGroup::DeviceGroup(std::vector<std::unique_ptr<HapticDevice>> devices,
     assert(!devices_.empty());
     for (const auto& device : devices_)
         motors_.push_back({.limits = limits_for(device->capabilities()), .state = {}});
-    // The first is there from the start, and the start has the loop's own ramp.
+    // The first device is present from the start, where the loop's own ramp applies.
     motors_.front().state.ramp = 1.0;
     motors_.front().state.calm_ticks = motors_.front().limits.small_force_ticks + 1;
 }
@@ -49,7 +49,7 @@ void DeviceGroup::close() noexcept {
 
 namespace {
 
-// In front of the widest work.
+// A point in front of the widest work.
 constexpr double kBeforeWorkMm = 180.0;
 
 bool is_in_workspace(const dvec3& place_mm) noexcept {
@@ -57,7 +57,7 @@ bool is_in_workspace(const dvec3& place_mm) noexcept {
     return is_within(place_mm.x) && is_within(place_mm.y) && is_within(place_mm.z);
 }
 
-// The work turns while anybody wants it to; who came last in the list says how fast.
+// The work turns if any device requests it; the last one in the list sets the speed.
 void turn_by(HandSample& sample, const HandSample& foot, bool counts) noexcept {
     if (!counts || !foot.button) return;
     sample.button = true;
@@ -70,7 +70,8 @@ HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
     dt_s_ = dt_s;
     for (std::size_t device = 0; device < devices_.size(); ++device) {
         samples_[device] = devices_[device]->read(tick, dt_s);
-        // Who says nonsense is not here: the gate drops its force, and another may take the tool.
+        // A device that reports a position outside the workspace counts as absent: the gate drops its force,
+        // and another device may take the tool.
         seen_[device] = {
             .is_here = devices_[device]->is_here() && is_in_workspace(samples_[device].position_mm),
             .is_moving = devices_[device]->is_moving()};
@@ -79,12 +80,13 @@ HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
     holder_ = chooser_.choose(seen_, dt_s);
     if (holder_ != before) {
         shown_holder_.store(holder_, std::memory_order_relaxed);
-        // Where a finger is on its plane is most often in the work: a ball comes from before it.
+        // A finger's position on its plane usually lies inside the work, so the tool starts from a point in
+        // front of the work.
         if (last_.on_screen) {
             last_.position_mm.z = kBeforeWorkMm;
             last_.on_screen = false;
         }
-        // There is no way back from nonsense: the new holder begins where it is.
+        // From an invalid position there is no path: the new holder begins at its own position.
         const bool knows_the_way = knows_a_place_ && is_in_workspace(last_.position_mm);
         if (knows_the_way) devices_[holder_]->take_over(last_.position_mm);
         approaches_ = knows_the_way;
@@ -107,11 +109,11 @@ HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
         lives = lives || foot.button;
         turn_by(sample, foot, true);
     }
-    // This thread alone writes it.
+    // No other thread writes it.
     if (lives)
         signs_of_life_.store(signs_of_life_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 
-    // A finger on a screen has no way through the work to go.
+    // A finger's position on a screen is not inside the work, so it needs no approach.
     approaches_ = approaches_ && !sample.on_screen;
     if (approaches_) {
         const dvec3 way = sample.position_mm - last_.position_mm;
@@ -129,7 +131,7 @@ void DeviceGroup::write(const dvec3& force_n) noexcept {
     const double written_n = std::sqrt(glm::dot(force_n, force_n));
     for (std::size_t device = 0; device < devices_.size(); ++device) {
         Motors& motors = motors_[device];
-        // In and out of use, so that motors cool while another works.
+        // The stages run for idle devices too, so that their heat budget recovers.
         const dvec3 wanted_n = device == holder_ ? force_n : dvec3(0.0);
         const dvec3 given_n = apply_stages(kMotorStages, wanted_n, input, motors.limits, motors.state);
         const double given_size_n = std::sqrt(glm::dot(given_n, given_n));

@@ -1,7 +1,7 @@
-// Several devices as one: whichever moves has the tool, the others wait. Devices come and go while the loop
-// runs: each device's own mailbox tells whether it is here, so that nothing but values reaches the tick.
+// Combines several devices into one: the device that moves has the tool, the others wait. Devices come and go
+// while the loop runs: each device's mailbox tells whether it is present, so that the tick gets only values.
 //
-// The first device is always there (mouse, touch, or a recording).
+// The first device (mouse, touch, or a recording) is always present.
 #pragma once
 
 #include <atomic>
@@ -15,21 +15,22 @@
 
 namespace onggi::haptics {
 
-// Which of several devices has the tool. Pure: no clock, time is the sum of the steps; no allocation. s.
+// Decides which of several devices has the tool. Pure: no clock (time is the sum of the steps) and no
+// allocation. s.
 struct DeviceChooserOptions {
-    // A device that has the tool keeps it until it has been still for so long; then the next that moves takes
-    // it. Two people do not tear the tool to and fro, and nobody waits for somebody who has gone.
+    // The holder of the tool keeps it until it has been still for this time; then the next device that moves
+    // takes it. So two people do not fight over the tool, and a device that was left idle does not block it.
     double still_s = 0.5;
-    // Device 0 is no person but a recording, which always moves: others take the tool from it at once, and it
-    // waits longer until it goes on.
+    // Device 0 is not a person but a recording, which always moves: other devices take the tool from it at
+    // once, and it waits longer before it continues.
     bool first_yields = false;
     double recording_waits_s = 3.0;
-    // A device that has gone for so long is not coming back at once: the first, which is always there, has
-    // the tool again, and takes it out of the work where it was left.
+    // After this time an absent holder loses the tool to the first device, which is always present and moves
+    // the tool out of the work.
     double gone_s = 0.5;
 };
 
-// What is known of one device in this tick.
+// The state of one device in this tick.
 struct DeviceSeen {
     bool is_here = false;
     bool is_moving = false;
@@ -39,9 +40,9 @@ class DeviceChooser {
   public:
     explicit DeviceChooser(const DeviceChooserOptions& options = {}) : options_(options) {}
 
-    // The device that has the tool now: device 0 at first. A holder that is gone keeps it a moment, without
-    // moving it, unless another device moves. With several moving at once it is the one named last, so list
-    // devices that push back after those that do not.
+    // Returns the device that has the tool; initially device 0. An absent holder keeps the tool for a moment,
+    // without moving it, unless another device moves. If several move at the same time, the last one gets it,
+    // so list devices with force after those without.
     [[nodiscard]] std::size_t choose(std::span<const DeviceSeen> devices, double dt_s) noexcept {
         const DeviceSeen& holder = devices[holder_];
         const bool is_at_work = holder.is_here && holder.is_moving;
@@ -72,46 +73,46 @@ class DeviceChooser {
 
 struct DeviceGroupOptions {
     DeviceChooserOptions chooser = {};
-    // After a change of holders the tool goes from where it was to where the new one has it, not through the
-    // work at once. Faster than a hand works.
+    // After a change of holders the tool moves to the new holder's position at this speed, instead of jumping
+    // through the work. Faster than a hand works.
     double fastest_mm_s = 600.0;
 };
 
 class DeviceGroup final : public HapticDevice {
   public:
-    // At least the first.
+    // Needs at least one device.
     explicit DeviceGroup(std::vector<std::unique_ptr<HapticDevice>> devices,
                          const DeviceGroupOptions& options = {});
     ~DeviceGroup() override { close(); }
 
-    // Something that turns the wheel and holds no tool. Before open().
+    // Adds a device that turns the wheel and does not hold a tool. Call it before open().
     void add_pedal(std::unique_ptr<HapticDevice> pedal) { pedals_.push_back(std::move(pedal)); }
 
-    // The first device's error. One that cannot be opened besides is never here.
+    // Returns the first device's error. Another device that cannot be opened counts as absent.
     Result<void> open() override;
     void close() noexcept override;
-    // The first device's: the loop is set up for what is always there, and no stiffer than the softest of
-    // those that close a loop of forces. What else a device's motors bear is kept here.
+    // The first device's capabilities, because the loop is set up for the device that is always present; the
+    // stiffness is at most that of the softest device that closes a force loop. The limits of the other
+    // devices' motors are applied in write().
     [[nodiscard]] DeviceCapabilities capabilities() const override;
     [[nodiscard]] std::vector<DeviceCapabilities> capabilities_of_devices() const override;
 
-    // Where the holder has the tool, and how fast it turns the work; the button is anybody's.
+    // The holder's position of the tool and its speed of the work; the button of any device turns the work.
     [[nodiscard]] HandSample read(std::uint64_t tick, double dt_s) noexcept override;
-    // The holder's; nobody is there, and nothing is new, while it is gone. The fraction counts what write()
-    // leaves of a force.
+    // The holder's signs; while it is absent, hand_is_there and position_is_new are false. The force fraction
+    // includes the reduction by write().
     [[nodiscard]] DeviceSigns signs() const noexcept override;
     void silence() noexcept override;
-    // To the device that has the tool, through its own kMotorStages (safety_chain.h): after a change of
-    // holders from nothing, never more than its motors bear for a moment and for ever. Nothing to all others.
+    // Sends the force to the tool's holder through its own kMotorStages (safety_chain.h): from zero after a
+    // change of holders, and never more than its motors' peak and continuous force. The others get zero.
     void write(const dvec3& force_n) noexcept override;
     void feel(const WorkFelt& work) noexcept override;
 
-    // Any thread: the place, in the list of the constructor, of the device that has the tool.
+    // Any thread: the index of the holder in the constructor's list.
     [[nodiscard]] std::size_t holder() const noexcept {
         return shown_holder_.load(std::memory_order_relaxed);
     }
-    // Any thread: in how many reads so far somebody was seen to do something with a device besides the first,
-    // or with a pedal.
+    // Any thread: the number of reads in which a device other than the first, or a pedal, was used.
     [[nodiscard]] std::uint64_t signs_of_life() const noexcept {
         return signs_of_life_.load(std::memory_order_relaxed);
     }
@@ -123,16 +124,16 @@ class DeviceGroup final : public HapticDevice {
     std::atomic<std::size_t> shown_holder_{0};
     std::atomic<std::uint64_t> signs_of_life_{0};
 
-    // Haptic thread only.
+    // Only for the haptic thread.
     DeviceChooser chooser_;
-    std::vector<HandSample> samples_;  // what each said last
+    std::vector<HandSample> samples_;  // the last read() of each device
     std::vector<DeviceSeen> seen_;
     std::size_t holder_ = 0;
-    HandSample last_;             // as given out last
-    bool knows_a_place_ = false;  // there was a read() before
-    bool approaches_ = false;     // on the way to the new holder's place
+    HandSample last_;             // the last returned sample
+    bool knows_a_place_ = false;  // read() was called before
+    bool approaches_ = false;     // on the way to the new holder's position
     double dt_s_ = 0.0;
-    // Of each device, what its motors bear and how warm they are.
+    // The limits of each device's motors, and their heat.
     struct Motors {
         SafetyLimits limits;
         SafetyState state;

@@ -14,11 +14,12 @@ SafetyLimits limits_for(const DeviceCapabilities& device) {
             std::min({limits.peak_force_n, kKioskContinuousForceN, device.continuous_force_n});
     }
     if (!device.has_motors) {
-        // A mouse may move at any speed: without motors no hand can be thrown.
+        // A mouse may move at any speed: without motors it cannot throw a hand.
         constexpr double kAnySpeedMmS = 1e9;
         limits.brake_speed_mm_s = limits.stop_speed_mm_s = kAnySpeedMmS;
     }
-    // Nor can one be fed: a finger on a screen comes down anywhere, also deep in the work.
+    // It cannot feed energy to a hand either: a finger on a screen may come down anywhere, even deep in the
+    // work.
     constexpr double kAnyEnergyMj = 1e9;
     if (!device.has_motors || device.force_axes == 0) limits.most_generated_mj = kAnyEnergyMj;
     if (device.report_rate_hz > 0.0) limits.device_period_s = 1.0 / device.report_rate_hz;
@@ -63,12 +64,12 @@ bool finite(const dvec3& v) noexcept {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// No comparison holds for NaN.
+// Comparisons with NaN are false.
 bool is_within(const dvec3& v, double most) noexcept {
     return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;
 }
 
-// Whether stages can reckon with it.
+// Whether the stages can compute with this input.
 bool is_sound(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits) noexcept {
     return input.dt_s >= 0.0 && input.dt_s <= limits.longest_tick_s && input.applied_fraction >= 0.0 &&
            input.applied_fraction <= 1.0 && is_within(input.driven_force_n, limits.most_driven_n) &&
@@ -79,7 +80,7 @@ bool is_zero(const dvec3& v) noexcept {
     return v.x == 0.0 && v.y == 0.0 && v.z == 0.0;
 }
 
-// The factor that shortens a vector to at most `length`.
+// Returns the factor that shortens a vector to at most `length`.
 double fraction_at_most(const dvec3& v, double length) noexcept {
     const double square = glm::dot(v, v);
     return square > length * length ? length / std::sqrt(square) : 1.0;
@@ -95,7 +96,7 @@ dvec3 no_force(SafetyState& state) noexcept {
     return state.driven_force_n = dvec3(0.0);
 }
 
-// The force, shortened to at most most_n.
+// Returns the force, shortened to at most most_n.
 dvec3 at_most(const dvec3& force_n, double most_n, SafetyState& state) noexcept {
     return fraction_of(force_n, fraction_at_most(force_n, most_n), state);
 }
@@ -201,8 +202,8 @@ dvec3 passivity(const dvec3& force_n, const SafetyInput& input, const SafetyLimi
         return force_n;
     }
 
-    // Controller: the damping d with d v^2 dt equal to the debt. It uses the windowed velocity: one encoder
-    // step in one tick, times the damping, would be a blow of half a newton.
+    // Controller: the damping d with d v^2 dt equal to the debt. It uses the windowed velocity: the velocity
+    // of a single encoder step, times the damping, would be a blow of half a newton.
     const dvec3& v = input.velocity_mm_s;
     const double square = glm::dot(v, v);
     if (state.energy_mj >= 0.0 || square == 0.0 || input.dt_s <= 0.0) return force_n;
@@ -223,8 +224,8 @@ dvec3 hand(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
         state.stale_ticks >= limits.stale_ticks && state.stale_s > 2.0 * limits.device_period_s;
     if (input.hand_is_there && !is_stale) {
         if (state.presence == 1.0) return force_n;
-        // From zero the ramp leads back. It must see the whole force, because a fraction would look small
-        // deep in the work.
+        // From zero the force returns through the ramp, which must see the whole force: a fraction could look
+        // small deep in the work.
         state.presence =
             state.presence == 0.0 ? 1.0 : std::min(1.0, state.presence + input.dt_s / limits.return_s);
     } else {
@@ -252,8 +253,8 @@ dvec3 ramp(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
 
 dvec3 budget(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
              SafetyState& state) noexcept {
-    // Heats by at least as much, and cools by at most as much, as the exact mean: 1 - exp(-part) lies between
-    // part - part^2/2 and part.
+    // Heats at least as much, and cools at most as much, as the exact mean: 1 - exp(-part) lies between part
+    // - part^2/2 and part.
     const double part = std::min(1.0, input.dt_s / limits.budget_s);
     const double warmer_n2 = glm::dot(state.applied_force_n, state.applied_force_n) - state.heat_n2;
     state.heat_n2 += warmer_n2 * (warmer_n2 > 0.0 ? part : part - 0.5 * part * part);
@@ -266,7 +267,7 @@ dvec3 budget(const dvec3& force_n, const SafetyInput& input, const SafetyLimits&
             std::min(1.0, (state.heat_n2 / full_n2 - limits.budget_knee) / (1.0 - limits.budget_knee));
         most_n += (limits.continuous_force_n - limits.peak_force_n) * spent;
     }
-    // Nor may one tick, however long, lift the mean beyond its full value.
+    // One tick, however long, must not lift the mean beyond its full value.
     const double room_n2 = full_n2 - state.heat_n2;
     if ((most_n * most_n - state.heat_n2) * limits.longest_tick_s > room_n2 * limits.budget_s) {
         most_n =
@@ -301,7 +302,7 @@ dvec3 slew(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& l
     const dvec3 before = state.applied_force_n;
     const double before_n = std::sqrt(glm::dot(before, before));
 
-    // Release: shorten the held force, without turning it, to its part that is still wanted.
+    // Release: shorten the held force, without turning it, to the part that is still wanted.
     dvec3 held = before;
     dvec3 held_driven = state.applied_driven_n;
     if (before_n > 0.0) {
@@ -326,7 +327,7 @@ inline dvec3 through(std::span<const SafetyStage> stages, const dvec3& force_n, 
     state.driven_force_n = input.driven_force_n;
     const bool is_gated = !stages.empty() && stages.front().apply == &gate;
     dvec3 force = is_gated ? gate(force_n, input, limits, state) : force_n;
-    // What a gate lets through is sound.
+    // A gate passes only sound values.
     const bool is_open = is_gated && state.fault == Fault::kNone;
     if (!is_open && !safety::is_sound(force_n, input, limits)) {
         restart_ramp(state);

@@ -1,14 +1,14 @@
 // Limits the force that reaches a visitor's hand: ordered lists of pure stages. Any one thread at a time; the
 // whole chain takes some tens of ns, allocates nothing and cannot fail. mm, N, s.
 //
-// Force is limited here, except for conditions that this thread cannot know. In order:
-//   kSafetyChain    once a tick, for the loop: from the wanted to the allowed force.
-//   kMotorStages    then for each hand (Hands::write): several hands share one chain, but each has
+// All force limits are here, except for conditions that this thread cannot know. In order:
+//   kSafetyChain    once per tick, for the loop: from the wanted to the allowed force.
+//   kMotorStages    then for each device (DeviceGroup::write): several devices share one chain, but each has
 //                   motors of its own, which were warm or loose before it got the tool.
 //   hid::ForceGate  last, on each device's I/O thread: the tick may have stopped, or the device may have been
 //                   plugged in a moment ago, which the haptic thread cannot know. It only reduces a force.
-// SafetyInput::applied_fraction returns what the last two left of a force, so that the observer counts the
-// applied force. SAFETY.md says what each stage does, with its numbers, and why.
+// SafetyInput::applied_fraction is the fraction of a force that remains after the last two, so that the
+// observer counts the applied force. SAFETY.md describes each stage, with its numbers and reasons.
 #pragma once
 
 #include <array>
@@ -31,9 +31,9 @@ constexpr double kKioskPeakForceN = 3.3;
 constexpr double kKioskContinuousForceN = 0.88;
 
 struct SafetyLimits {
-    // every stage: an input beyond these, or not a number, is not sound
+    // every stage: an input beyond these limits, or NaN, is not sound
     double longest_tick_s = 0.1;  // five times two periods of the slowest loop
-    double most_driven_n = 1e6;   // of each coordinate of the driven part: its work stays a finite number
+    double most_driven_n = 1e6;   // of each coordinate of the driven part, so that its work stays finite
     // gate
     double workspace_mm = kWorkspaceMm;  // each coordinate within +-
     // speed: in contact, a brake replaces the force above the first speed; above the second the force is
@@ -52,7 +52,7 @@ struct SafetyLimits {
     double energy_credit_mj = 0.02;  // dissipation long ago must not pay for a vibration now
     double energy_debt_mj = 10.0;    // bounds how long the damping stays on
     double forget_s = 0.05;          // out of contact
-    // what the device may give, less what it takes and what the wheel drives, over the memory
+    // work of the device on the hand, minus the work it took and the wheel's drive, over the memory
     double most_generated_mj = 250.0;
     double generated_memory_s = 1.0;
     // hand: the hand is absent, or the position is stale.
@@ -63,7 +63,8 @@ struct SafetyLimits {
     // ramp
     double ramp_s = 1.0;         // from zero to full force, at the start and after a fault
     double small_force_n = 0.2;  // the ramp begins only after a force below this ...
-    int small_force_ticks = 3;   // ... for more than this number of ticks in a row: no start inside a wall
+    // ... for more than this number of ticks in a row, so that the force does not start inside a wall
+    int small_force_ticks = 3;
     // budget: the mean of the squared force over budget_s, which heats a motor, stays below the square of
     // continuous_force_n.
     double continuous_force_n = kKioskPeakForceN;
@@ -181,10 +182,10 @@ dvec3 hand(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, Safety
 // ramp: zero until the force has been small for a moment, then a factor that grows from 0 to 1.
 dvec3 ramp(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 
-// budget: the peak force for a moment, the continuous force for ever. The bound falls from peak to continuous
-// force while the mean of the squared force rises from budget_knee of the continuous force's square to its
-// full value, and is always so low that the longest tick cannot lift the mean beyond that. The kept mean is
-// never below the exact one, so that neither exceeds it, however long each tick is.
+// budget: the peak force for a moment, the continuous force without a time limit. The bound falls from peak
+// to continuous force while the mean of the squared force rises from budget_knee of the continuous force's
+// square to its full value. The bound is always so low that the longest tick cannot lift the mean beyond that
+// value. The kept mean is never below the exact one, so neither exceeds it, however long the ticks are.
 dvec3 budget(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 
 // clamp: at most the peak force. It scales the vector, since clamping each axis would change the direction.
@@ -200,10 +201,10 @@ struct SafetyStage {
     dvec3 (*apply)(const dvec3& force_n, const SafetyInput&, const SafetyLimits&, SafetyState&) noexcept;
 };
 
-// Why this order: no value that is not finite may reach the arithmetic, so the gate is first. Stages that
-// shape the force come before the observer, which judges the intended force. Stages that remove force to
-// protect a person come after it, so that they also limit its damping. The clamp bounds the target of the
-// slew, and the slew is last because it compares with the force that the device got before.
+// The reasons for the order: no value that is not finite may reach the arithmetic, so the gate is first.
+// Stages that shape the force come before the observer, which judges the intended force. Stages that remove
+// force to protect a person come after it, so that they also limit its damping. The clamp bounds the target
+// of the slew. The slew is last, because it compares with the force that the device got before.
 inline constexpr std::array<SafetyStage, 9> kSafetyChain{{
     {"gate", "zero force and a latched fault on NaN, infinity, a tool outside the workspace, or stop", &gate},
     {"speed", "a tool too fast in contact is braked, then let go", &speed},
@@ -220,9 +221,9 @@ inline constexpr std::array<SafetyStage, 9> kSafetyChain{{
 dvec3 apply_safety_chain(const dvec3& force_n, const SafetyInput& input, const SafetyLimits& limits,
                          SafetyState& state) noexcept;
 
-// The stages for each hand's own motors: a ramp after a change of hands, and the motors' limits. The loop's
-// chain cannot do this, because it knows one tool only: a motor stays warm while another hand works, and the
-// loop's ramp is over when a hand that lay in the work takes over.
+// The stages for each device's own motors: a ramp after a change of holders, and the motors' limits. The
+// loop's chain cannot do this, because it sees only one tool: a motor stays warm while another device works,
+// and the loop's ramp is over when a device that lay in the work takes over.
 inline constexpr std::array<SafetyStage, 3> kMotorStages{{
     {"ramp", "from zero to full force once a device has the tool and the force is small", &ramp},
     {"budget", "this device's own mean force, while it works and while it rests", &budget},
@@ -230,9 +231,9 @@ inline constexpr std::array<SafetyStage, 3> kMotorStages{{
 }};
 
 // Applies the stages in order and stores the applied force in the state. An input that is not sound (time,
-// applied fraction or driven part out of bounds, a force that is not finite) reaches no stage but a gate at
-// their head, which latches a fault: the force is zero and the ramp restarts. Without a gate nothing is
-// latched, because nobody rearms a hand's motors.
+// applied fraction or driven part out of bounds, a force that is not finite) reaches only a gate at the head
+// of the list, which latches a fault: the force is zero and the ramp restarts. Without a gate nothing is
+// latched, because a device's motors have no rearm().
 dvec3 apply_stages(std::span<const SafetyStage> stages, const dvec3& force_n, const SafetyInput& input,
                    const SafetyLimits& limits, SafetyState& state) noexcept;
 

@@ -71,7 +71,7 @@ bool dies_away(const LoopMotion& motion, const DeviceCapabilities& device) {
            motion.swing_mm <= kShrinks * motion.earlier_swing_mm;
 }
 
-// The loop is closed no faster than the device reports and than it is sent forces.
+// The loop runs at most at the rate of the device's reports and of the forces sent to it.
 double loop_rate_hz(const DeviceCapabilities& device, double rate_hz) {
     const double own_hz = device.wire_rate_hz > 0.0 ? device.wire_rate_hz : device.report_rate_hz;
     return own_hz > 0.0 ? std::min(rate_hz, own_hz) : rate_hz;
@@ -91,7 +91,7 @@ DeviceCapabilities judged(const DeviceCapabilities& device) {
 }
 
 // Tries some smaller values too, most of them close by, because a stable value may be an island above
-// unstable ones. A full search would take too long at a start.
+// unstable ones. A full search would delay the start too much.
 template <typename Try>
 bool is_stable_up_to(double most, Try&& is_good) {
     constexpr double kFractions[] = {0.125, 0.25, 0.5, 0.75, 0.9, 0.95, 1.0};
@@ -154,7 +154,7 @@ LoopMotion run_loop(const DeviceCapabilities& device, const LoopSetting& setting
         low_mm = std::min(low_mm, body.x_mm);
         high_mm = std::max(high_mm, body.x_mm);
         if (tick >= ticks * 3 / 4) motion.energy_mj += given_mj;
-        constexpr double kGoneMm = 1e4;  // it has clearly diverged, as has what the chain had to let go
+        constexpr double kGoneMm = 1e4;  // it has clearly diverged, even if the chain then dropped the force
         if (!(std::abs(body.x_mm) < kGoneMm) || safety.fault != Fault::kNone) {
             motion.swing_mm = kGoneMm;
             motion.earlier_swing_mm = 0.0;
@@ -193,7 +193,7 @@ double largest_stable_viscosity_n_s_per_mm(const DeviceCapabilities& device, con
 LoopSetting loop_of(const DeviceCapabilities& device, double rate_hz) {
     LoopSetting setting{.rate_hz = loop_rate_hz(device, rate_hz)};
     if (!device.has_own_walls) setting.stages = kSafetyChain;
-    // A hand that leans harder than the device pushes goes through any wall, which is not an instability.
+    // A hand that leans harder than the device pushes goes through any wall; that is not an instability.
     if (device.peak_force_n > 0.0) setting.press_n = std::min(setting.press_n, 0.5 * device.peak_force_n);
     constexpr double kRounding = 1e-6;
     const double late_ticks = std::ceil(device.wire_delay_s * setting.rate_hz - kRounding);

@@ -36,8 +36,9 @@ struct LoopMotion {
     double earlier_swing_mm = 0.0;  // peak to peak, in the third quarter
     double swing_mm = 0.0;          // in the last quarter
     double deepest_mm = 0.0;        // greatest depth below the wall's surface
-    double largest_force_n = 0.0;   // ever
-    double energy_mj = 0.0;  // that the held force added to the tool in the last quarter; below 0: removed
+    double largest_force_n = 0.0;   // over the whole run
+    // energy that the held force added to the tool in the last quarter; below 0: removed
+    double energy_mj = 0.0;
 };
 
 // Simulates the loop for `seconds`; the tool starts at the surface, moving inwards at speed_mm_s.
@@ -62,8 +63,8 @@ struct LoopMotion {
 // itself: its other axes get forces over a bus whose timing the passivity controller does not know.
 [[nodiscard]] LoopSetting loop_of(const DeviceCapabilities& device, double rate_hz);
 
-// The largest stiffness stable in loop_of(), with and without the given viscosity, searched in coarser steps.
-// 0: none is stable.
+// The largest stiffness that is stable in loop_of(), with and without the given viscosity, searched in
+// coarser steps. 0 if no stiffness is stable.
 [[nodiscard]] double stiffest_for(const DeviceCapabilities& device, double rate_hz, double most,
                                   double viscosity_n_s_per_mm = 0.0);
 

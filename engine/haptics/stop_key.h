@@ -1,9 +1,9 @@
-// The stop key, read from the kernel on a thread of its own: a window gets keys on the thread that draws, so
+// The stop key, read from the kernel on its own thread: a window receives keys on the thread that draws, so
 // they are lost when that thread hangs. The keys are Pause and Stop on any keyboard; a red USB button is a
 // keyboard with one key.
 //
-// It needs permission to read /dev/input (the group input, or a udev rule for the button); without it only
-// the window's stop key works, and found() is 0. A keyboard plugged in later is found within seconds.
+// It needs permission to read /dev/input (the group input, or a udev rule for the button). Without it only
+// the window's stop key works, and found() is 0. A keyboard that is plugged in later is found within seconds.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ struct StopKeyboard {
     int file = -1;     // yields the kernel's struct input_event
 };
 
-// Opens the keyboards under a folder such as /dev/input that have a stop key, are readable and are not in
-// `known`. The caller closes them, or hands them to a StopKey.
+// Opens the readable keyboards with a stop key under a folder such as /dev/input, except those in `known`.
+// The caller closes them or passes them to a StopKey.
 [[nodiscard]] std::vector<StopKeyboard> open_stop_keys(const std::vector<std::string>& known = {},
                                                        const std::string& folder = "/dev/input");
 
@@ -33,7 +33,7 @@ class StopKey final : public jobs::IoWork {
 
     // As open_stop_keys(). Called by the constructor, and every kLooksEveryNs on this object's thread.
     using Find = std::function<std::vector<StopKeyboard>(const std::vector<std::string>& known)>;
-    // `pressed` is called on this object's thread, once a press.
+    // `pressed` is called on this object's thread, once per press.
     StopKey(Find find, std::function<void()> pressed);
     ~StopKey() override;
     StopKey(const StopKey&) = delete;

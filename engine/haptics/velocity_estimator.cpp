@@ -7,7 +7,7 @@
 namespace onggi::haptics {
 namespace {
 
-// The step of a device that states none: too small to feel, and far above a double's rounding.
+// The step of a device that states none: too small to feel, and far above the rounding of a double.
 constexpr double kLeastStepMm = 0.002;
 
 // The least time between two stored positions. Slightly below 1 ms, so that rounding does not decide which
@@ -36,7 +36,8 @@ dvec3 VelocityEstimator::update(const dvec3& position_mm, double dt_s) noexcept 
         for (int axis = 0; axis < 3; ++axis) {
             auto& is_open = open[static_cast<std::size_t>(axis)];
             if (!is_open) continue;
-            // A line to this position would miss a newer one by more than a step: the window ends before it.
+            // A line to this position would miss a newer one by more than a step, so the window ends before
+            // it.
             is_open = slope[axis] >= low[axis] && slope[axis] <= high[axis];
             if (!is_open) continue;
             velocity_mm_s[axis] = slope[axis];

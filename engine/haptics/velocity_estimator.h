@@ -2,13 +2,14 @@
 // allocation. mm, s.
 //
 // One step of 0.055 mm between two ticks at 4 kHz reads as 220 mm/s, and a viscous force of that shakes the
-// hand. So a window is laid over the past: the longest one, up to 15 ms, over which a straight line from its
-// oldest position to the newest passes every position between within one step. A tool at rest or in even
-// motion gets the whole window and little noise, a tool that turns around a short window and little delay.
-// Source: F. Janabi-Sharifi, V. Hayward and C.-S. J. Chen, "Discrete-time adaptive windowing for velocity
-// estimation", IEEE Trans. on Control Systems Technology 8(6), 2000: first-order adaptive windowing, end-fit.
-// Differs: at most 15 positions are kept, about one a ms where ticks come faster: a tick costs the same at
-//   every rate.
+// hand. So the velocity is the slope over a window of the past: the longest one, up to 15 ms, over which a
+// straight line from its oldest position to the newest passes every position between within one step. A tool
+// at rest or in even motion gets the whole window and little noise; a tool that turns around gets a short
+// window and little delay. Source: F. Janabi-Sharifi, V. Hayward and C.-S. J. Chen, "Discrete-time adaptive
+// windowing for velocity estimation", IEEE Trans. on Control Systems Technology 8(6), 2000: first-order
+// adaptive windowing, end-fit.
+// Differs: at most 15 positions are kept, about one per ms if ticks come faster, so that a tick costs the
+//   same at every rate.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@ namespace onggi::haptics {
 namespace {
 
 constexpr std::int64_t kLookEveryNs = 1'000'000;
-// Below the haptic loop's priority: the watchdog must never delay it.
+// Lower than the haptic loop's priority, so that the watchdog never delays it.
 constexpr int kFifoPriority = 40;
 
 }  // namespace
@@ -29,7 +29,7 @@ bool Watchdog::Watched::stands_still(std::uint64_t count, std::int64_t now_ns, s
 std::int64_t Watchdog::round(std::int64_t now_ns) noexcept {
     if (!has_asked_for_time_) {
         has_asked_for_time_ = true;
-        // Most systems refuse it; then the thread has normal priority.
+        // Most systems refuse it; the thread then has normal priority.
         static_cast<void>(jobs::ask_for_fifo(kFifoPriority));
     }
     picture_stands_still_.store(

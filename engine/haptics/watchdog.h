@@ -1,8 +1,8 @@
 // Watches the haptic loop from another thread and removes the force when the loop hangs. A device keeps the
-// last force it was sent, so a loop that hangs, or that the kernel does not run, goes on pushing.
+// last force that it was sent, so it would go on pushing if the loop hangs or the kernel does not run it.
 //
-// It watches the picture too. While the screen hangs, no key and no button works; after two seconds the hand
-// counts as absent, and the force comes back through the ramp.
+// It watches the picture too. While the screen hangs, no key or button works; after two seconds the hand
+// counts as absent, and later the force returns through the ramp.
 //
 // The timeout is 5 ms (SAFETY.md). The thread checks every ms, on the other cores, with real-time priority if
 // granted; without it the kernel may delay it by some ms. A USB device receives it with its next packet: HID
@@ -27,12 +27,12 @@ struct WatchdogOptions {
 
 class Watchdog final : public jobs::IoWork {
   public:
-    // The device must be open while rounds are done, and outlive them.
+    // The device must outlive the watchdog and be open while rounds run.
     Watchdog(HapticDevice& device, const WatchdogOptions& options);
 
     // Haptic thread, once a tick. Wait-free.
     void beat() noexcept { count_up(beats_); }
-    // Haptic thread: how often the loop was found hanging; each time the device was silenced.
+    // Haptic thread: the number of times that the loop was found hanging and the device was silenced.
     [[nodiscard]] std::uint32_t silences() const noexcept {
         return silences_.load(std::memory_order_acquire);
     }
@@ -43,7 +43,7 @@ class Watchdog final : public jobs::IoWork {
     // Main thread, once a frame. Wait-free. The watch begins with the first call.
     void picture_is_alive() noexcept { count_up(pictures_); }
 
-    // The watchdog's thread; times in ns of any clock that goes on.
+    // The watchdog's thread; times in ns of a monotonic clock.
     [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
     void finish() noexcept override {}
 
@@ -53,7 +53,7 @@ class Watchdog final : public jobs::IoWork {
         counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     }
 
-    // How long a counter has not changed.
+    // The time for which a counter has not changed.
     struct Watched {
         std::uint64_t last = 0;
         std::int64_t since_ns = 0;

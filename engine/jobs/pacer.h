@@ -130,8 +130,8 @@ class Pacer {
 
     std::int64_t wait_until(std::int64_t deadline_ns) noexcept {
         const std::int64_t now_ns = clock_.now_ns();
-        // Each time awake requires a ninth of it asleep: 90 % awake, 10 % asleep. Normal sleeps far exceed
-        // that.
+        // After each awake interval, the thread owes a ninth of its length in sleep: 90 % awake, 10 % asleep.
+        // Normal sleeps far exceed that.
         if (leave_rest_) rest_owed_ns_ += (now_ns - awake_since_ns_) / kAwakePerRest;
         std::int64_t wake_ns = deadline_ns - guard_ns_;
         if (rest_owed_ns_ >= kLeastRestNs) wake_ns = std::max(wake_ns, now_ns + rest_owed_ns_);

@@ -1,5 +1,5 @@
-// The overlay that is drawn over a scene or instead of it: a draw list, and the pictures of its atlas that
-// are not on the device yet. Main thread; must live until the draw call returns.
+// The overlay, drawn over a scene or in its place: a draw list, and the pictures of the atlas that are not on
+// the device yet. Main thread; must live until the draw call returns.
 #pragma once
 
 #include <span>

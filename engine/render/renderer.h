@@ -23,7 +23,7 @@ class Renderer {
     Renderer& operator=(const Renderer&) = delete;
 
     // Waits for the previous frame, then records and submits this one. Returns false if the target takes no
-    // frame now (minimised, resizing). The overlay is drawn over the scene, or instead of it.
+    // frame now (minimised, resizing). The overlay is drawn over the scene or replaces it.
     Result<bool> draw(const Scene& scene, vk::FrameTarget& target, const Overlay* overlay = nullptr);
 
     // Switches FrameStats::parts on or off, from the frame after the next.

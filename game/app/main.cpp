@@ -1,4 +1,4 @@
-// onggi: a potter's wheel with haptics. Each command has its own file; their order here is that of --help.
+// onggi: a potter's wheel with haptics. Each command has its own file; --help lists them in the order below.
 #include <CLI/CLI.hpp>
 #include <csignal>
 

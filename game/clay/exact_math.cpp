@@ -6,8 +6,8 @@
 namespace onggi::clay {
 namespace {
 
-// ln 2 and pi/2, each as a sum of two parts. The low bits of the first part are zero, so that an integer
-// multiple of it is exact.
+// ln 2 and pi/2, each as a sum of two parts. The low bits of the first part are zero, so that its integer
+// multiples are exact.
 constexpr double kLn2High = 0x1.62e42feep-1;
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 constexpr double kHalfPiHigh = 0x1.921fb544p+0;

@@ -1,7 +1,6 @@
-// What each clay body looks like from wet to glazed: the one place of these numbers, for the wheel's picture,
-// for exported files and for the workshop's maker (assets/workshop/maker/paint.py keeps a copy of
-// stoneware's, which a test compares). By eye, against photographs of the three bodies. Any thread; constant.
-// Linear light.
+// The looks of each clay body from wet to glazed, defined only here: for the wheel's picture, for exported
+// files and for the workshop's maker (assets/workshop/maker/paint.py keeps a copy of stoneware's, which a
+// test compares). Chosen by eye, against photographs of the three bodies. Any thread; constant. Linear light.
 #pragma once
 
 #include "engine/math/math.h"

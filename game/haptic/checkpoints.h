@@ -1,6 +1,6 @@
-// Checkpoints of a lump's state as bytes, one a tick number, in bounded memory: each is stored as a
-// difference from the one before, and they thin out when the bound is reached. Reads return the exact bytes.
-// One thread that is not the haptic one; allocates.
+// Checkpoints of a lump's state as bytes, each with its tick, in bounded memory: each is stored as a
+// difference from the one before, and they are thinned out when the limit is reached. Reads return the exact
+// bytes. One thread, but not the haptic one; allocates.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace onggi::haptic {
 
 class Checkpoints {
   public:
-    // The newest and the first checkpoint are kept even beyond that bound.
+    // The newest and the first checkpoint are kept even beyond that limit.
     explicit Checkpoints(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
     // Precondition: tick is later than the newest one.

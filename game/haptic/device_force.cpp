@@ -13,7 +13,7 @@ namespace {
 
 using haptics::DeviceCapabilities;
 
-// The stiffest that any clay is rendered: this already feels hard.
+// The largest stiffness at which any clay is rendered: it already feels hard.
 constexpr double kStiffEnoughNPerMm = 1.0;
 
 Error nothing_is_stable(const DeviceCapabilities& device, double rate_hz) {
@@ -22,10 +22,12 @@ Error nothing_is_stable(const DeviceCapabilities& device, double rate_hz) {
                     device.name, haptics::loop_of(device, rate_hz).rate_hz));
 }
 
-// The device's own walls need no bound; forces sent over its bus are bounded to what is stable there.
+// A device's own walls need no limit; forces sent over its bus are limited to the range that is stable over
+// it.
 Result<void> fit_to_walls(HapticParameters& parameters, const DeviceCapabilities& device,
                           double viscosity_n_s_per_mm) {
-    // A spring with a force beyond its stiffness would have to be moved with the hand over the bus.
+    // A spring whose force grows beyond its stiffness would have to be updated over the bus as the hand
+    // moves.
     parameters.feel.most_stiffness_n_per_mm = device.max_stiffness_n_per_mm;
     if (device.wire_rate_hz <= 0.0) return {};
     const double most =

@@ -8,7 +8,7 @@ namespace {
 
 using Stage = ForceTestReport::Stage;
 
-constexpr std::array<int, kTestPushes> kAxes{1, 0, 2};  // up first: against the hand's own weight
+constexpr std::array<int, kTestPushes> kAxes{1, 0, 2};  // up first, against the hand's weight
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // The staff's test of a device: small known pushes along each axis in turn, which pass the whole safety chain
-// like any force, and the hand's response. Counted in ticks, so that the same ticks have the same forces.
-// Haptic thread; allocates nothing. mm, N, s.
+// like any force, and the hand's response to them. Counted in ticks, so that the same ticks have the same
+// forces. Haptic thread; does not allocate. mm, N, s.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace onggi::haptic {
 constexpr double kTestForceN = 0.6;
 constexpr double kTestPushS = 0.4;  // along each of the three axes
 constexpr int kTestPushes = 3;      // up, right, towards the visitor
-// Waits this long for the force to come back through its ramp, as after an idle time.
+// The longest wait for the force to come back through its ramp, as after an idle time.
 constexpr double kTestWaitsS = 3.0;
 
 struct ForceTestReport {
@@ -35,8 +35,8 @@ struct ForceTestReport {
     friend bool operator==(const ForceTestReport&, const ForceTestReport&) = default;
 };
 
-// The wanted force at time_s after the first push began: up, right, towards the visitor, each from 0 to
-// kTestForceN and back without a corner. Zero before and after.
+// The force of the test at time_s after the first push began: up, right, towards the visitor, each from 0 to
+// kTestForceN and back with a smooth curve. Zero before and after.
 [[nodiscard]] dvec3 test_force_n(double time_s) noexcept;
 
 class ForceTest {

@@ -1,6 +1,6 @@
-// The full history of a lump, kept for undo. It follows the haptic loop by its records: it repeats every tick
-// off the haptic thread, so that it always holds the exact clay on the wheel, and takes a checkpoint now and
-// then. Going back is a replay from the checkpoint before. One thread that is not the haptic one; allocates.
+// The full history of a lump, for undo. It follows the haptic loop by its records and repeats every tick off
+// the haptic thread, so that it always holds the exact clay on the wheel. It takes checkpoints; undo is a
+// replay from the checkpoint before. One thread, but not the haptic one; allocates.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct HistoryOptions {
 };
 
 // One action as a visitor sees it: from touching the clay with a tool on one side to letting go, or one cut
-// of the wire. Ticks since the lump was fresh.
+// of the wire. In ticks since the lump was fresh.
 struct Move {
     std::uint64_t first_tick = 0;
     std::uint64_t end_tick = 0;  // one past the last; the newest move may still grow
@@ -42,7 +42,7 @@ class History {
   public:
     History(const HapticState& start, const HapticParameters& parameters, const HistoryOptions& options = {});
 
-    // Adds the next record of the loop that began with the given start. kFreshLump restarts the history;
+    // Adds the next record of the loop, which began with the given start. kFreshLump restarts the history;
     // kStatePut first goes back to the record's tick, so the state that was put must come from state_at().
     void add(const TickRecord& record);
     // Adds one tick played back from a session with the same start.
@@ -88,8 +88,8 @@ class History {
     // Adds up to most_ticks ticks since the writer's last one. Precondition: lineage() is unchanged since
     // begin_session().
     [[nodiscard]] Result<void> write_on(record::SessionWriter& writer, std::size_t most_ticks) const;
-    // Counts the breaks in the history: a fresh lump, a state put back. Sessions written before a break are
-    // no longer part of it.
+    // Counts the breaks in the history: a fresh lump, a state put back. Sessions written before a break no
+    // longer belong to the history.
     [[nodiscard]] std::uint64_t lineage() const { return lineage_; }
 
     // For a display and for tests.
@@ -118,16 +118,16 @@ class History {
 };
 
 // Saves a fault: the lump's whole history up to it, as a session. `onggi replay` reproduces the fault to the
-// bit, so that a report is its own test. Runs on the thread that holds the history; writes a file.
+// bit. Runs on the thread that holds the history; writes a file.
 class FaultReport {
   public:
-    // Largest number of reports in the folder: a loose cable must not fill a disk.
+    // The largest number of reports in the folder, so that a loose cable does not fill the disk.
     static constexpr int kMost = 20;
 
     explicit FaultReport(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // Call after the history got the record. Returns the file if a fault begins with this record (a person's
-    // stop included); empty otherwise. Errors: the folder or the file cannot be written.
+    // Call it after the history got the record. Returns the file if a fault, or a person's stop, begins with
+    // this record; otherwise empty. Errors: the folder or the file cannot be written.
     [[nodiscard]] Result<std::optional<std::filesystem::path>> look(const TickRecord& record,
                                                                     const History& history);
 

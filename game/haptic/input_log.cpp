@@ -8,8 +8,8 @@
 namespace onggi::haptic {
 namespace {
 
-// Each tick is eight words. Stored is each word's XOR with its prediction from the ticks before: a mask of
-// the words that differ, and for each of those a mask of its non-zero bytes, and those bytes.
+// Each tick has eight words. Each word is stored as its XOR with its prediction from the ticks before: a mask
+// of the words that differ and, for each of these, a mask of its non-zero bytes and those bytes.
 constexpr std::size_t kWords = 8;
 using Words = std::array<std::uint64_t, kWords>;
 
@@ -33,7 +33,7 @@ LoggedInput input_of(const Words& words) {
             .force_check = static_cast<std::uint32_t>(words[7])};
 }
 
-// Linear prediction on the bits: the same difference as between the last two values.
+// Linear prediction of the bits: the difference between the last two values repeats.
 std::uint64_t expected(std::uint64_t last, std::uint64_t before) {
     return last + (last - before);
 }

@@ -1,6 +1,6 @@
 // The tool of every tick since a lump was fresh, in little memory: all blocks but the newest are compressed
 // by prediction from tick to tick, and spilled to disk if there is a folder for them. Reads return the exact
-// inputs. One thread that is not the haptic one; allocates, blocks.
+// inputs. One thread, but not the haptic one; allocates, blocks.
 #pragma once
 
 #include <cstddef>
@@ -48,7 +48,7 @@ class InputLog {
     class Reader {
       public:
         Reader(const InputLog& log, std::size_t first) : log_(log), next_(first) {}
-        // The result is valid until the next call. Precondition: there is one more input. Errors: those of
+        // The result is valid until the next call. Precondition: there is another input. Errors: those of
         // SpillFile::get().
         [[nodiscard]] Result<const LoggedInput*> next();
 

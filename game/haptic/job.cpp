@@ -10,11 +10,11 @@
 namespace onggi::haptic {
 namespace {
 
-// The clay's state for a device's other displays: stiffness and thickness at the touch, load. Fit for the
-// tick. mm, N.
+// The clay's state for the other displays of a device: stiffness and thickness at the touch, load. Fit for
+// the tick. mm, N.
 constexpr double kKpaPerNMm2 = 1000.0;
 
-// From the last tick.
+// Returns the state after the last tick.
 haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
                             const HapticParameters& parameters) noexcept {
     haptics::WorkFelt felt{.touches = result.forces.contacts > 0,
@@ -29,7 +29,7 @@ haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
     const int ring = rings.ring_at(state.tool.position_mm.y);
     if (!rings.is_hollow(ring)) return felt;
     felt.wall_mm = rings.wall_mm(ring);
-    // The force at which a wall of that thickness bends aside: the studio clay's own limit (force.h).
+    // The force at which a wall of that thickness bends aside: the limit of the studio clay (force.h).
     const double strength_n_mm2 =
         static_cast<double>(rings.strength_kpa[static_cast<std::size_t>(ring)]) / kKpaPerNMm2;
     felt.most_force_n = kTurn * strength_n_mm2 * felt.wall_mm * felt.wall_mm;
@@ -37,11 +37,11 @@ haptics::WorkFelt work_felt(const HapticState& state, const TickResult& result,
 }
 
 constexpr std::size_t kCommandCapacity = 256;
-// Bound of one tick's late count, as after a machine's night in sleep.
+// Limit of one tick's late count, which can be huge after the machine has slept.
 constexpr std::uint64_t kMostLate = 1'000'000;
 constexpr std::size_t kStateCapacity = 4;
 
-// As many hashes as fit to the records.
+// The hashes that belong to a full ring of records.
 std::size_t hash_capacity(const HapticJobOptions& options) {
     return options.record_capacity / record::kHashInterval + 2;
 }
@@ -178,7 +178,7 @@ DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
         hold_to(fits_[device_]);
         haptics::restart_ramp(state_.safety);
     }
-    // While a force test runs, a person is at the hand.
+    // A running force test needs a person at the device.
     const bool alone = (nobody_is_there_ && !force_test_.runs()) || watchdog_.picture_stands_still();
     if (alone && fits_[device_].has_motors) device.signs.hand_is_there = false;
     device.test_force_n = force_test_.step(state_.safety, device_, parameters_.dt_s());
@@ -227,7 +227,7 @@ void HapticWork::put_on_states() noexcept {
             state_was_put_ = true;
             ++states_put_;
         }
-        // The ring has room: put() frees old states before it sends more than fit.
+        // The push cannot fail: put() frees old states before it sends more than the ring holds.
         static_cast<void>(old_states_.try_push(put.state));
     }
 }
@@ -262,7 +262,7 @@ void HapticWork::publish(const TickResult& result) noexcept {
     snapshots_.publish();
     PotCopy& copy = pots_.writing();
     if (!pot_copier_.step(copy.pot, state_, parameters_.dt_s())) return;
-    // A fresh lump or a put state restarts the copy, so a finished copy shows the present clay.
+    // A fresh lump or a put state restarts the copy, so a finished copy shows the current clay.
     copy.stamp = {.tick = state_.ticks, .run = run_, .states_put = states_put_};
     pots_.publish();
 }
@@ -286,7 +286,7 @@ void HapticJob::stop() noexcept {
     job_.stop();
     watchdog_thread_.stop();
     if (!std::exchange(device_is_open_, false)) return;
-    // The haptic thread has ended: this thread may use the device once more.
+    // The haptic thread has ended, so this thread may use the device.
     work_.device().write(dvec3(0.0));
     work_.device().close();
 }

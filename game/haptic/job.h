@@ -1,5 +1,5 @@
-// The running haptic loop: clay, wheel, device and safety on a thread of their own, and the hand-offs to
-// other threads. Every method belongs to the main thread unless it says otherwise.
+// The running haptic loop: clay, wheel, device and safety on their own thread, and the hand-offs to other
+// threads. All methods belong to the main thread unless noted.
 #pragma once
 
 #include <atomic>
@@ -24,8 +24,8 @@ namespace onggi::haptic {
 
 struct HapticJobOptions {
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
-    // Does not spin while the device that has the tool has no motors: without force a tick's exact start
-    // cannot be felt, and spinning takes two fifths of a core at 4 kHz.
+    // Does not spin while the tool's device has no motors: without force the exact start of a tick cannot be
+    // felt, and spinning takes two fifths of a core at 4 kHz.
     bool spares_the_core = false;
     jobs::RealTimeRequest real_time{};
     jobs::RealTimePolicy policy = jobs::RealTimePolicy::kIgnore;
@@ -36,10 +36,10 @@ struct HapticJobOptions {
     std::size_t record_capacity = std::size_t{1} << 14U;  // tick records; 4 s at 4 kHz
 };
 
-// The work of one period, without the thread: the job runs it, and tests run it on a virtual clock.
+// One period's work, without the thread: the job runs it on its thread, and tests run it on a virtual clock.
 class HapticWork final : public jobs::PeriodicWork {
   public:
-    // `start` is the lump of the start and of every restart. The loop runs at the parameters' rate.
+    // `start` is the first lump and that of every restart. The loop runs at the parameters' rate.
     HapticWork(HapticState start, const HapticParameters& parameters, ToolDevices devices,
                const HapticJobOptions& options);
     ~HapticWork() override;
@@ -52,19 +52,19 @@ class HapticWork final : public jobs::PeriodicWork {
         return !options_.spares_the_core || fits_[device_].is_felt;
     }
 
-    // The consumer's side of each hand-off, on the one thread that is not the haptic one.
-    // The newest snapshot; unchanged until the next call. Its pot is the newest finished copy and lives as
+    // The consumer's side of each hand-off, on one thread that is not the haptic one. Returns the newest
+    // snapshot, which is unchanged until the next call; its pot is the newest finished copy and valid as
     // long.
     [[nodiscard]] const Snapshot& newest_snapshot() noexcept;
-    // Returns false if the ring is full, which takes some hundred commands in one period.
+    // Returns false if the ring is full, after some hundred commands in one period.
     [[nodiscard]] bool send(Command command) noexcept { return commands_.try_push(command); }
     // Any thread, wait-free: switches the force off from the next tick on, until kRearmForce.
     void stop_force() noexcept { stop_asked_.store(true, std::memory_order_relaxed); }
     // Puts another state of the same lump on the wheel, as from History::state_at(): clay, wheel, tool and
-    // ticks, not the device's safety. It takes effect before the next tick, whose record has kStatePut. The
-    // haptic thread swaps it in and hands the old one back, so that it neither copies nor frees. The state
-    // belongs to that run: it is dropped if another lump has come on the wheel meanwhile. Returns false if
-    // too many states are queued. Precondition: the same clay as the start's, of the same size.
+    // ticks, but not the device's safety. It takes effect before the next tick, whose record has kStatePut.
+    // The haptic thread swaps it in and returns the old one, so it neither copies nor frees. The state
+    // belongs to `run`: it is dropped if another lump has come on the wheel meanwhile. Returns false if too
+    // many states are queued. Precondition: the same clay as the start's, of the same size.
     [[nodiscard]] bool put(std::unique_ptr<HapticState> state, std::uint64_t run);
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return records_.try_pop(record); }
     [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return hashes_.try_pop(hash); }
@@ -72,24 +72,25 @@ class HapticWork final : public jobs::PeriodicWork {
     // Only while the haptic thread does not run.
     [[nodiscard]] const HapticState& state() const noexcept { return state_; }
     [[nodiscard]] std::uint64_t runs() const noexcept { return run_ + 1; }
-    // Ticks whose record or hash found its ring full. If there are any, the recording is incomplete.
+    // The number of ticks whose record or hash was dropped because its ring was full. If it is not 0, the
+    // recording is incomplete.
     [[nodiscard]] std::uint64_t dropped_records() const noexcept { return dropped_records_; }
     [[nodiscard]] haptics::HapticDevice& device() noexcept { return devices_.all(); }
-    // Runs on a thread of its own while the job does.
+    // Runs on its own thread while the job runs.
     [[nodiscard]] haptics::Watchdog& watchdog() noexcept { return watchdog_; }
     // Whether the first device can render this clay (fit_to_device).
     [[nodiscard]] const Result<void>& fits() const noexcept { return fits_.front().fits; }
-    // Why other devices get no force, a line each.
+    // One line for each device that gets no force, with the reason.
     [[nodiscard]] std::vector<std::string> refusals() const;
 
   private:
-    // Ticks since the lump was put on; a start state may have ticks of its own.
+    // Ticks since the lump was put on the wheel; a start state may have ticks of its own.
     [[nodiscard]] std::uint64_t ticks_of_run() const noexcept { return state_.ticks - start_.ticks; }
     [[nodiscard]] bool run_is_over() const noexcept {
         return options_.run_ticks != 0 && ticks_of_run() >= options_.run_ticks;
     }
     void apply_commands() noexcept;
-    // Data for the tick that comes from the loop, the device and the watchdog.
+    // The tick's data from the loop, the device and the watchdog.
     [[nodiscard]] DeviceTick device_tick(const jobs::Period& period) noexcept;
     void put_on_fresh_lump() noexcept;
     void put_on_states() noexcept;
@@ -98,12 +99,12 @@ class HapticWork final : public jobs::PeriodicWork {
     void publish(const TickResult& result) noexcept;
 
     const HapticState start_;
-    // Each device's limits; a device that cannot render this clay gets no force.
+    // The limits of each device; a device that cannot render this clay gets no force.
     struct Fit {
         haptics::SafetyLimits safety;
         DeviceFeel feel;
         double step_mm = 0.0;     // resolution of its encoder
-        bool has_motors = false;  // without motors, no presence is needed
+        bool has_motors = false;  // without motors, a person's presence is not needed
         bool is_felt = false;     // its motors exert a force
         Result<void> fits;
     };
@@ -160,16 +161,17 @@ class HapticJob {
     // rendered stably on this device at this rate (fit_to_device); the device's errors; see
     // FixedRateJob::start.
     Result<void> start();
-    // Joins the threads, takes the force away and closes the device. No effect if it does not run.
+    // Joins the threads, switches the force off and closes the device. Has no effect if it does not run.
     void stop() noexcept;
-    // Why a device other than the first gets no force, a line each.
+    // One line for each device other than the first that gets no force, with the reason.
     [[nodiscard]] std::vector<std::string> refusals() const { return work_.refusals(); }
     // Any thread, including those of a stop key or a signal; wait-free.
     void stop_force() noexcept { work_.stop_force(); }
     // Any thread: the loop ended by itself or was stopped.
     [[nodiscard]] bool finished() const noexcept { return job_.finished(); }
 
-    // Call once a frame. After two seconds without a call the picture counts as hung, and the force goes.
+    // Call it once a frame. After two seconds without a call the picture counts as hung, and the force is
+    // switched off.
     [[nodiscard]] const Snapshot& newest_snapshot() noexcept {
         work_.watchdog().picture_is_alive();
         return work_.newest_snapshot();
@@ -178,7 +180,7 @@ class HapticJob {
     [[nodiscard]] bool put(std::unique_ptr<HapticState> state, std::uint64_t run) {
         return work_.put(std::move(state), run);
     }
-    // For the recording thread: this one or another, but always the same.
+    // For the recording thread, which is this one or another, but always the same.
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return work_.take_record(record); }
     [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return work_.take_hash(hash); }
 

@@ -77,7 +77,7 @@ bool PotCopier::step(pot::Pot& pot, const HapticState& state, double dt_s) noexc
 }
 
 void PotCopier::copy_dents(pot::Pot& pot, const clay::StudioClay& clay, int most) noexcept {
-    pot.dents_mm.resize(kDents);  // the last copy may have cleared it, for round clay
+    pot.dents_mm.resize(kDents);  // the last copy may have cleared it, if that clay was round
     for (int k = 0; k < most && dent_row_ < kDentRows; ++k, ++dent_row_) {
         float* out = pot.dents_mm.data() + static_cast<std::size_t>(dent_row_) * kDentSectors;
         const double y_mm = (dent_row_ + 0.5) / kDentRows * clay.height_mm();

@@ -1,5 +1,5 @@
-// Copies the pot from the haptic thread for all others, spread over several ticks: the dent map in parts,
-// then the rings.
+// Copies the pot on the haptic thread for all other threads, spread over several ticks: the dent map in
+// parts, then the rings.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ struct PotCopy {
     PotStamp stamp;
 };
 
-// Copies the clay into a pot at a pace of simulated time: a fraction of the dents, which change slowly, each
-// tick; all rings in the last of these ticks, because clay that moves meanwhile would leave a step in the
-// wall between two parts. Haptic thread; no allocation.
+// Copies the clay into a pot over a fixed simulated time: in each tick a part of the dents, which change
+// slowly, and in the last tick all rings, because moving clay would otherwise leave a step in the wall
+// between two parts. Haptic thread; no allocation.
 class PotCopier {
   public:
-    // Copies one tick's fraction into `pot`, which comes from pot_of() and must stay the same until the copy
-    // is finished. Returns true when it is.
+    // Copies one tick's part into `pot`, which comes from pot_of() and must be the same until the copy is
+    // finished. Returns true when it is.
     bool step(pot::Pot& pot, const HapticState& state, double dt_s) noexcept;
     // Restarts the copy: another clay is on the wheel.
     void restart() noexcept { *this = {}; }

@@ -45,13 +45,13 @@ void SimulatedDevice::take_over(const dvec3& position_mm) noexcept {
 tool::ToolState SimulatedDevice::read_tool(std::uint64_t /*tick*/, double dt_s) noexcept {
     const Target& newest = target_.latest();
     tool::ToolState target = newest.tool;
-    // Whoever is late for a target has not heard of its cut.
+    // A cut counts once, even if its target was replaced before this read.
     if (newest.cuts != cuts_done_) {
         cuts_done_ = newest.cuts;
         target.wire = newest.wire;
         target.wire_height_mm = newest.wire_height_mm;
     }
-    // Who lays a finger down does something, also where it lay before.
+    // Putting a finger down counts as motion, even at the same position.
     is_moving_ = sense_.moved_to(target.position_mm) || target.wheel_button != last_button_ ||
                  target.pressing != last_pressing_;
     last_button_ = target.wheel_button;
@@ -61,12 +61,12 @@ tool::ToolState SimulatedDevice::read_tool(std::uint64_t /*tick*/, double dt_s) 
         at_rest_ = false;
     }
     if (target.guided) {
-        // A finger on a screen is where it is; what lags behind it are the hands, in the work.
+        // A finger's position is taken as it is; the simulated hands in the work lag behind it.
         position_mm_ = target.position_mm;
         velocity_mm_s_ = force_n_ = dvec3(0.0);
         return target;
     }
-    // N on a mass in kg is m/s^2; the tool moves in mm.
+    // N / kg is m/s^2; positions are in mm.
     constexpr double kMmPerM = 1000.0;
     const double step_over_mass = dt_s / model_.mass_kg * kMmPerM;
     const double held_back =

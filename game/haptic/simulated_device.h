@@ -1,9 +1,9 @@
-// A haptic device for those who have none: mouse or touch says where the hand wants to be, a small mass on a
-// spring (a virtual coupling) follows, and the work's force pushes that mass back. The visitor sees the tool
-// lag behind the hand where the work resists. It is a device like any other to the rest of the program.
+// A simulated haptic device for mouse or touch: the pointer sets a target, a small mass on a spring (a
+// virtual coupling) follows it, and the work's force pushes the mass back. The visitor sees that the tool
+// lags behind the pointer when the work resists.
 //
-// m a = k (target - x) - b v + F, advanced by Euler's method, implicit in spring and damper, which are known,
-// and explicit in the work's force, which is felt one tick late:
+// m a = k (target - x) - b v + F, integrated by Euler's method, implicit in spring and damper, explicit in
+// the work's force, which arrives one tick late:
 //     v' = (v + dt/m (k (target - x) + F)) / (1 + b dt/m + k dt^2/m),   x' = x + dt v'.
 // Free, it is stable at every dt and does not overshoot. Against a wall of stiffness K and viscosity c it is
 // stable (Jury's criterion) if
@@ -21,7 +21,7 @@ namespace onggi::haptic {
 
 struct SimulatedDeviceModel {
     double mass_kg = 0.02;
-    // The kiosk's peak force holds the tool 16.5 mm behind the hand.
+    // At the kiosk's peak force the tool lags 16.5 mm behind the pointer.
     double coupling_n_per_mm = 0.2;
     // Critical: 2 sqrt(k m), no overshoot; the tool settles in about 60 ms.
     double damping_n_s_per_mm = 0.004;
@@ -31,9 +31,9 @@ class SimulatedDevice final : public ToolDevice {
   public:
     explicit SimulatedDevice(const SimulatedDeviceModel& model = {}) : model_(model) {}
 
-    // Main thread, any time, wait-free: where the hand wants the tool to be, its radius and the wheel button.
-    // Brought within the limits of tool_state.h. A read finds the newest target alone; a cut of one that no
-    // read has found is made at the next.
+    // Main thread, any time, wait-free. Sets the tool's target position, its radius and the wheel button,
+    // clamped to the limits of tool_state.h. A read uses only the newest target; a cut in a target that no
+    // read used is done at the next read.
     void set_target(const tool::ToolState& target) noexcept;
 
     // Never fails. The tool starts at rest at the target.
@@ -41,12 +41,11 @@ class SimulatedDevice final : public ToolDevice {
     void close() noexcept override {}
     [[nodiscard]] haptics::DeviceCapabilities capabilities() const override;
 
-    // Moves the mass by dt_s under the force last written.
+    // Advances the mass by dt_s under the last written force.
     [[nodiscard]] tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept override;
     void write(const dvec3& force_n) noexcept override { force_n_ = force_n; }
 
-    // Haptic thread, or before open: the next read starts at rest at the target, and knows of no cut before
-    // that one's.
+    // Haptic thread, or before open(). The next read starts at rest at the target and ignores earlier cuts.
     void rest() noexcept;
 
     [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
@@ -55,7 +54,7 @@ class SimulatedDevice final : public ToolDevice {
   private:
     struct Target {
         tool::ToolState tool;
-        // The last cut that any target had, and how many there have been.
+        // The last cut of any target, and the number of cuts.
         tool::Wire wire = tool::Wire::kNone;
         double wire_height_mm = 0.0;
         std::uint64_t cuts = 0;

@@ -31,7 +31,7 @@ void visit_head(Visitor& visitor, Parameters& paper, Heading& heading, Tool& too
                 heading.cosine, heading.sine, tool.position_mm, tool.radius_mm, tool.wheel_button, ticks);
 }
 
-// The same for the studio's clay: only its parameters. Returns the first flag that was neither 0 nor 1.
+// Visits the parameters of the studio's clay. Returns the first flag that is neither 0 nor 1.
 template <typename Visitor, typename Parameters>
 std::optional<double> visit_head(Visitor& visitor, Parameters& clay) {
     auto& wheel = clay.wheel;

@@ -1,5 +1,6 @@
-// The start of a recording as bytes: parameters and state of the haptic loop, without the device's safety.
-// The session file stores them as opaque bytes (game/record). Any thread but the haptic one: it allocates.
+// Converts the start of a recording to bytes and back: parameters and state of the haptic loop, without the
+// device's safety. The session file stores them as opaque bytes (game/record). Any thread but the haptic one;
+// allocates.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +15,10 @@ namespace onggi::haptic {
 
 struct Start {
     HapticState state;
-    HapticParameters parameters;  // with the default safety limits, which change no clay
+    HapticParameters parameters;  // with default safety limits, which do not affect the clay
 };
 
-// The same start has the same bytes everywhere. The tick rate is not included: the session's header has it.
+// The same start gives the same bytes everywhere. The tick rate is not included: the session's header has it.
 [[nodiscard]] std::vector<std::byte> start_state_bytes(const HapticState& state,
                                                        const HapticParameters& parameters);
 

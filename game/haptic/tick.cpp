@@ -19,7 +19,7 @@ void tick_paper(clay::PaperClay& clay, HapticState& state, const tool::ToolState
                               parameters.paper);
 }
 
-// Lifts both hands over the rim, where they are on no side of a wall.
+// Lifts both hands over the rim, where they are on neither side of a wall.
 void lift_over(tool::ToolState& tool, double height_mm) noexcept {
     constexpr double kClearMm = 1.0;
     const auto over_mm = [&](double radius_mm) { return height_mm + radius_mm + kClearMm; };

@@ -1,6 +1,6 @@
-// One haptic tick as a pure function of state and input: clay, wheel and safety, no thread and no clock. The
-// same inputs lead to the same bits everywhere (live, throw, replay). Any one thread at a time; the tick
-// allocates nothing and cannot fail. mm, N, s, rad.
+// One haptic tick as a pure function of state and input: clay, wheel and safety, without thread or clock. The
+// same inputs give the same bits everywhere (live, throw, replay). One thread at a time; the tick does not
+// allocate and cannot fail. mm, N, s, rad.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace onggi::haptic {
 
-// Parameters of both clays; each uses its own. clay::check() must hold for both.
+// Parameters of both clays; each clay uses its own. clay::check() must hold for both.
 struct HapticParameters {
     clay::PaperParameters paper;
     clay::StudioParameters studio;
@@ -42,7 +42,7 @@ struct HapticState {
     // The tool of the last tick, within its limits, as it is recorded. Far above the clay before the first
     // tick.
     tool::ToolState tool{.position_mm = {0.0, haptics::kWorkspaceMm, 0.0}};
-    haptics::SafetyState safety;          // belongs to the device, not to the clay: it survives a fresh lump
+    haptics::SafetyState safety;          // belongs to the device, not to the clay: a fresh lump keeps it
     haptics::VelocityEstimator velocity;  // likewise
     std::uint64_t ticks = 0;              // since the lump was fresh
 
@@ -85,23 +85,23 @@ struct TickResult {
     clay::studio::GripReport grip;  // of a guided hand
 };
 
-// The device's data besides the tool, and the loop's own timing. The defaults mean that device and timing are
-// in order.
+// The device's other data besides the tool, and the loop's timing. The defaults mean that device and timing
+// are in order.
 struct DeviceTick {
     double dt_s = 0.0;       // since the last tick; 0: the fixed step
     std::uint32_t late = 0;  // periods missed since the last tick
     haptics::DeviceSigns signs;
     bool stop = false;        // a person switched the force off
-    dvec3 test_force_n{0.0};  // the staff's test, added to the clay's force; it counts as driven by a motor
-    // The clay was replaced under the hand. For this tick the studio's clay gets the hand above the pot:
-    // otherwise it would take it for the hand that it remembers, come through its walls.
+    dvec3 test_force_n{0.0};  // force of the staff's test, added to the clay's; counts as driven by a motor
+    // The clay was replaced under the hand. For this tick the studio's clay gets the hand above the pot;
+    // otherwise it would take the hand for the remembered one that moved through its walls.
     bool comes_anew = false;
 };
 
-// Applies the tool, turns the wheel and the clay by one fixed step and computes the forces. With the paper's
-// clay the wheel turns exactly while its button is held, at full speed at once; with the studio's the button
-// is the pedal. `device` reaches the clay only through the recorded tool, so that a replay without a device
-// is the same.
+// Applies the tool, advances the wheel and the clay by one fixed step and computes the forces. With the
+// paper's clay the wheel turns exactly while its button is held, immediately at full speed; with the
+// studio's, the button is the pedal. `device` affects the clay only through the recorded tool, so that a
+// replay without a device is the same.
 TickResult tick(HapticState& state, const tool::ToolState& tool, const HapticParameters& parameters,
                 const DeviceTick& device = {}) noexcept;
 

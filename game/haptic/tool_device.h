@@ -1,5 +1,5 @@
-// Devices that know the whole tool: the first at the wheel, mouse, touch or a recording. What others read of
-// a hand moves that tool, and does not change what it is.
+// Devices that provide a whole tool: the first device at the wheel (mouse, touch or a recording). Other
+// devices move that tool and do not change its kind.
 #pragma once
 
 #include <concepts>
@@ -16,21 +16,21 @@ namespace onggi::haptic {
 
 class ToolDevice : public haptics::HapticDevice {
   public:
-    // As read() of a HapticDevice.
+    // See HapticDevice::read().
     [[nodiscard]] virtual tool::ToolState read_tool(std::uint64_t tick, double dt_s) noexcept = 0;
 
     [[nodiscard]] haptics::HandSample read(std::uint64_t tick, double dt_s) noexcept final {
         tool_ = read_tool(tick, dt_s);
         return tool::sample_of(tool_);
     }
-    // That of the last read().
+    // The result of the last read().
     [[nodiscard]] const tool::ToolState& last_tool() const noexcept { return tool_; }
 
   private:
     tool::ToolState tool_;
 };
 
-// What moves the tool, and the device among it that knows the tool.
+// All devices at the wheel, and the first one, which provides the whole tool.
 class ToolDevices {
   public:
     template <std::derived_from<ToolDevice> Device>
@@ -42,7 +42,7 @@ class ToolDevices {
           all_(std::move(group)) {}
 
     [[nodiscard]] haptics::HapticDevice& all() const noexcept { return *all_; }
-    // Haptic thread, once a tick.
+    // Haptic thread; call it once a tick.
     [[nodiscard]] tool::ToolState read(std::uint64_t tick, double dt_s) noexcept {
         const haptics::HandSample sample = all_->read(tick, dt_s);
         return tool::moved_by(sample, first_->last_tool());
@@ -53,7 +53,8 @@ class ToolDevices {
     std::unique_ptr<haptics::HapticDevice> all_;
 };
 
-// Recordings as devices: read tick by tick, and feel nothing. After its end the tool rests as it was last.
+// Players of recordings: they read tick by tick and ignore forces. After the end, the tool keeps its last
+// state.
 
 // Tick k of a gesture is at exactly (double)k / rate.
 class GesturePlayer final : public ToolDevice {

@@ -7,7 +7,7 @@
 namespace onggi::heritage {
 namespace {
 
-// A lump, and the walls that come of it.
+// A visitor's lump and typical wall thickness.
 ThrownClay visitors_clay() {
     constexpr double kVisitorsWallMm = 8.0;
     return {.most_g = clay::StudioLump{}.mass_g, .wall_mm = kVisitorsWallMm};

@@ -21,14 +21,14 @@ struct JarOfTwo {
 // Both bowls are alike: the jar's lower half. `clay`: the clay for each bowl. Precondition: an outline.
 [[nodiscard]] JarOfTwo jar_of_two(const Target& target, clay::ClayBody body, const ThrownClay& clay);
 
-// A pot of a museum on this wheel: as large as its lump allows, with the walls that a visitor leaves, so that
-// what is shown can be thrown. A jar of two bowls: out of two lumps.
+// The size of a museum's pot on this wheel: as large as its lump allows, with the walls that a visitor
+// leaves, so that the shown pot can be thrown. A jar of two bowls is thrown from two lumps.
 [[nodiscard]] ThrownSize size_on_this_wheel(const Target& target);
-// What each of its bowls is. Precondition: is_of_two_bowls().
+// The two bowls of the jar. Precondition: is_of_two_bowls().
 [[nodiscard]] JarOfTwo jar_of(const Target& target);
-// Its outline, `scale` times its size: radius and height from below.
+// The target's outline, `scale` times its size: radius and height, from the bottom.
 [[nodiscard]] std::vector<vec2> outline_of(const Target& target, double scale);
-// The same at the size at which it is thrown, wet.
+// The outline at the size at which it is thrown, wet.
 [[nodiscard]] std::vector<vec2> wet_outline(const Target& target);
 
 // Deviation of the fired pot from round at its widest ring: the largest minus the smallest distance of its

@@ -1,4 +1,4 @@
-// What happens to a visit, and what a visit asks of the program: events and effects. Any thread.
+// The events of a visit, and the effects that it requests from the program. Any thread.
 #pragma once
 
 #include <optional>
@@ -62,7 +62,7 @@ struct Drawn {
     int strokes = 0;  // on the pot
 };
 struct Saved {
-    int number = 0;  // of the day
+    int number = 0;  // number within the day
 };
 struct SaveFailed {};  // disk full, no permission: the visitor sees "shelf full", the staff the reason
 struct Shared {

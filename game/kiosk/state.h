@@ -30,7 +30,7 @@ struct Comfort {
 };
 
 constexpr int kTeachingSteps = 3;  // press, open, raise
-// What the wheel's own hands demonstrate: a teaching step, or the tool that is held.
+// The content of a demonstration: a teaching step, or the held tool.
 enum class ShownStep { kPress, kOpen, kRaise, kDrawTool };
 constexpr int kMostTool = 3;
 constexpr int kMostWater = 5;
@@ -41,7 +41,7 @@ constexpr int kMostTextSize = 3;
 enum class Warning { kNone, kThin, kWet, kFast };
 enum class FiringStage { kCut, kDry, kFire };
 
-// What a hand may hold while it throws, in the order of the tray.
+// The tools that a hand may hold while it throws, in the order of the tray.
 constexpr std::array kTrayTools{tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire};
 // Precondition: it is one of them.
 [[nodiscard]] constexpr std::size_t tray_place(tool::Tool held) {
@@ -84,7 +84,7 @@ struct Throwing {
     std::optional<int> target{};       // index of the heritage pot; empty: free throwing
     int steps_done = 0;                // 0 to kTeachingSteps; at the end: "now make it yours"
     bool looks_in = false;             // the camera looks from above into the pot
-    std::optional<ShownStep> shown{};  // what is demonstrated on the visitor's clay
+    std::optional<ShownStep> shown{};  // the demonstration on the visitor's clay
     tool::Tool held = tool::Tool::kHand;
     bool tray = false;  // the ledge shows the tray of tools
     int tool = 2;
@@ -148,7 +148,7 @@ enum class Phone {
     kOver,     // the code expired, or the staff withdrew it
 };
 
-// What came of an attempt to share a pot.
+// The outcome of an attempt to share a pot.
 enum class ShareOutcome { kReady, kFailed, kOver };
 
 struct Keeping {

@@ -1,5 +1,5 @@
-// A pot's section as a line, as in a museum's drawing of a vessel: the data for a small picture of it. Any
-// thread; plain data. mm.
+// A pot's section as a line, as in a museum's drawing of a vessel: the data for a small picture. Any thread;
+// plain data. mm.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Inside game/record only: where in the file what stands. README.md gives the same as a table.
+// Offsets in the session file; only for game/record. README.md has the same as tables.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace onggi::record {
 
-// The file header: 72 bytes, its own checksum last.
+// The file header: 72 bytes; its checksum is last.
 namespace header_at {
 constexpr std::size_t kMajor = 8;
 constexpr std::size_t kMinor = 10;
@@ -28,12 +28,12 @@ constexpr std::size_t kChecksum = 68;
 constexpr std::size_t kSize = 72;
 }  // namespace header_at
 
-// What opens every block and stands alone as the end marker: 40 bytes, its own checksum last.
+// The head of each block, also the end marker: 40 bytes; its checksum is last.
 namespace block_at {
 constexpr std::size_t kTag = 0;
 constexpr std::size_t kRecordBytes = 4;
-constexpr std::size_t kFirstTick = 8;   // end marker: ticks in all
-constexpr std::size_t kTickCount = 16;  // end marker: blocks in all
+constexpr std::size_t kFirstTick = 8;   // end marker: number of ticks in the file
+constexpr std::size_t kTickCount = 16;  // end marker: number of blocks in the file
 constexpr std::size_t kBodyChecksum = 20;
 constexpr std::size_t kStateHash = 24;
 constexpr std::size_t kReserved = 32;
@@ -45,19 +45,19 @@ constexpr std::uint32_t kTicksTag = 0x534b4354;       // "TCKS"
 constexpr std::uint32_t kSupplementTag = 0x53444441;  // "ADDS"
 constexpr std::uint32_t kEndTag = 0x2e444e45;         // "END."
 
-// Records of a block's body: a kind, and what follows it.
+// A record of a block's body: its kind, then its data.
 enum class RecordKind : std::uint8_t {
     kTool = 1,      // x, y, z, radius (doubles, mm), button (byte): one tick
-    kPosition = 2,  // x, y, z: one tick, the rest as in the tick before
-    kRepeat = 3,    // how many (16 bits, at least 1): so many ticks more like the last
-    // Of whole tools alone:
-    kWholeTool = 4,      // a tool with all there is to it (tool_bytes.h): one tick
-    kBothPositions = 5,  // both hands' x, y, z: one tick, the rest as in the tick before
+    kPosition = 2,  // x, y, z: one tick; the other fields as in the tick before
+    kRepeat = 3,    // n (16 bits, at least 1): n more ticks equal to the last
+    // Only in sessions of whole tools:
+    kWholeTool = 4,      // all fields of a tool (tool_bytes.h): one tick
+    kBothPositions = 5,  // both hands' x, y, z: one tick; the other fields as in the tick before
 };
 constexpr std::size_t kToolBytes = 4 * 8 + 1;
 constexpr std::size_t kPositionBytes = 3 * 8;
 constexpr std::size_t kRepeatBytes = 2;
-// What follows a kind; nothing for a byte that is no kind.
+// The number of data bytes of that kind; 0 for an unknown kind.
 constexpr std::size_t record_bytes(RecordKind kind) {
     switch (kind) {
         case RecordKind::kTool:
@@ -74,7 +74,7 @@ constexpr std::size_t record_bytes(RecordKind kind) {
     return 0;
 }
 
-constexpr std::size_t kCheckBytes = 4;  // force_check() of a tick, after the records
+constexpr std::size_t kCheckBytes = 4;  // force_check() of each tick, after the records
 
 // CRC-32 of zlib (polynomial 0xedb88320).
 [[nodiscard]] std::uint32_t checksum(std::span<const std::byte> bytes) noexcept;

@@ -16,10 +16,10 @@ namespace {
 
 using Word = std::uint32_t;
 
-// A stretch of words is told by how much they all moved, and by how far each is from there.
+// A stretch of words is coded as one common offset, and each word's difference from it.
 constexpr std::size_t kStretch = 64;
-// So much is told at once, byte by byte of its words: the first bytes are nearly all zero then, and stand
-// beside one another.
+// A chunk is deflated at once, with the same bytes of all its words together: the high bytes are nearly all
+// zero, so they form long runs.
 constexpr std::size_t kChunk = 256 * kStretch;
 constexpr std::size_t kTold = kChunk + kChunk / kStretch;
 using Told = std::array<Word, kTold>;
@@ -27,12 +27,12 @@ using ToldBytes = std::array<std::byte, kTold * sizeof(Word)>;
 
 constexpr Word kSign = Word{1} << 31U;
 
-// The bits of a float, so that the next number is the next larger float.
+// Maps a float's bits to an order in which the next integer is the next larger float.
 Word in_order(Word bits) {
     return (bits & kSign) != 0 ? bits ^ ~kSign : bits;
 }
 
-// Small for what is a little more as for what is a little less.
+// Zigzag coding: small differences of either sign become small words.
 Word folded(Word difference) {
     return (difference << 1U) ^ (Word{0} - (difference >> 31U));
 }
@@ -40,7 +40,7 @@ Word unfolded(Word word) {
     return (word >> 1U) ^ (Word{0} - (word & 1U));
 }
 
-// Bits that are no number of moderate size stay as they are.
+// Adds the offset to a float. Bits that are not a finite number stay unchanged.
 Word moved(Word bits, float by) {
     const auto number = std::bit_cast<float>(bits);
     return by != 0.0F && std::isfinite(number) ? std::bit_cast<Word>(number + by) : bits;
@@ -50,11 +50,11 @@ Word difference(Word bits, Word from, float by) {
     return folded(in_order(bits) - in_order(moved(from, by)));
 }
 Word restored(Word difference, Word from, float by) {
-    // The order is its own inverse.
+    // in_order() is its own inverse.
     return in_order(unfolded(difference) + in_order(moved(from, by)));
 }
 
-// Words up to the end of the bytes; what stands before the first whole one counts as a word as well.
+// Divides the bytes into words that end with the last byte. An incomplete first word is padded.
 class Words {
   public:
     explicit Words(std::size_t bytes)
@@ -82,11 +82,12 @@ class Words {
     }
 
   private:
-    std::size_t first_;  // bytes that are missing before the first
+    std::size_t first_;  // bytes missing from the first word
     std::size_t bytes_;
 };
 
-// How much a stretch has moved, by three of its words; nothing where that makes it no cheaper.
+// Returns the common offset of a stretch: the median of three of its words' differences, or 0 if coding with
+// it is not smaller.
 float movement(std::span<const Word> words, std::span<const Word> from) {
     const auto of = [&](std::size_t at) {
         const float by = std::bit_cast<float>(words[at]) - std::bit_cast<float>(from[at]);
@@ -110,14 +111,14 @@ constexpr std::size_t stretches_of(std::size_t words) {
     return (words + kStretch - 1) / kStretch;
 }
 
-// Calls act(first word, end, stretch of the chunk) for each stretch of the chunk that begins there.
+// Calls act(first word, end word, index of the stretch) for each stretch of the chunk that begins at `first`.
 template <typename Act>
 void for_stretches(std::size_t first, std::size_t words, const Act& act) {
     for (std::size_t at = 0; at < words; at += kStretch)
         act(first + at, first + std::min(words, at + kStretch), at / kStretch);
 }
 
-// What zlib says of its own memory or of bytes of our own is no state of the world.
+// A failure is a bug or a lack of memory, not an input error, so it throws.
 void expect(bool well, const char* what) {
     if (!well) throw std::runtime_error(what);
 }
@@ -125,7 +126,8 @@ void expect(bool well, const char* what) {
 class Deflater {
   public:
     Deflater() {
-        // Runs alone are looked for: half the time of all repetitions, and as small, for most of it is zeros.
+        // Z_RLE searches only for runs: half the time of a search for all matches, and the result is as
+        // small, because most bytes are zero.
         constexpr int kWindowBits = 15;
         constexpr int kMemoryLevel = 9;
         expect(deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kWindowBits, kMemoryLevel, Z_RLE) == Z_OK,
@@ -155,7 +157,7 @@ class Inflater {
   public:
     explicit Inflater(const std::vector<std::byte>& deflated) {
         expect(inflateInit(&stream_) == Z_OK, "unpack: no memory");
-        // zlib takes what it only reads by a pointer that could write.
+        // zlib only reads here, but its API takes a non-const pointer.
         stream_.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(deflated.data()));
         stream_.avail_in = static_cast<uInt>(deflated.size());
     }

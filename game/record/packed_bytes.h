@@ -1,6 +1,6 @@
-// Bytes of the same kind one after the other, such as states of one thing, in little memory: how their
-// numbers differ from those before, deflated. Not for files: read by the program that wrote them. Any thread
-// but the haptic one; allocates. Some 15 ms a megabyte to pack, 4 to unpack.
+// Compresses byte strings that resemble their predecessor, such as successive states: stores the deflated
+// differences of their numbers. Not a file format: only the same build reads it. Any thread but the haptic
+// one; allocates. Packing takes about 15 ms per megabyte, unpacking 4.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,15 @@ namespace onggi::record {
 
 struct PackedBytes {
     std::vector<std::byte> deflated;
-    std::size_t size = 0;  // of what was packed
+    std::size_t size = 0;  // of the original bytes
 };
 
-// `like` holds what the bytes probably look like, place by place; of any size, none too. Any bytes come back
-// as they are; those take little room that are little-endian floats (or words of four bytes) up to the end,
-// most of them as in `like` or, in a stretch, all of them more by one and the same number.
+// `like` is the expected content, of any size, even empty. Lossless for any input. Compresses well if the
+// tail is little-endian floats (or 4-byte words) that mostly equal `like`, or differ from it by a constant
+// over a stretch.
 [[nodiscard]] PackedBytes pack(std::span<const std::byte> bytes, std::span<const std::byte> like);
-// Precondition: packed by pack() with the same `like`. Throws std::runtime_error where it was not.
+// Precondition: packed by pack() with the same `like`. Throws std::runtime_error if the bytes cannot be
+// unpacked.
 [[nodiscard]] std::vector<std::byte> unpack(const PackedBytes& packed, std::span<const std::byte> like);
 
 }  // namespace onggi::record

@@ -31,7 +31,7 @@ std::span<const std::byte> Session::start_state() const noexcept {
 
 std::uint32_t Session::force_check_at(std::uint64_t tick) const noexcept {
     assert(tick < tick_count_);
-    // Every block but the last holds kHashInterval ticks: the reader has made sure.
+    // The reader has checked that every block but the last holds kHashInterval ticks.
     const Block& block = blocks_[static_cast<std::size_t>(tick / kHashInterval)];
     return get<std::uint32_t>(
         at(block.checks_at + static_cast<std::size_t>(tick - block.first_tick) * kCheckBytes));
@@ -57,7 +57,7 @@ void SessionCursor::enter(std::size_t block) noexcept {
     entered_ = true;
 }
 
-// To the next tick of the same block.
+// Advances to the next tick of the same block.
 void SessionCursor::step() noexcept {
     ++tick_;
     if (held_ > 0) {
@@ -88,7 +88,7 @@ void SessionCursor::step() noexcept {
     tool_.wheel_button = get<std::uint8_t>(record + kToolBytes - 1) == 1;
 }
 
-// Checks a session file as a whole, so that playing it needs no checks.
+// Checks a whole session file, so that playing it needs no checks.
 class SessionReader {
   public:
     SessionReader(std::string bytes, std::string_view name) : name_(name) {
@@ -118,7 +118,7 @@ class SessionReader {
     [[nodiscard]] T number_at(std::size_t field) const {
         return get<T>(session_.at(at_ + field));
     }
-    // Of the header or block that begins at at_.
+    // An error in a field of the header or block that begins at at_.
     Error wrong(std::size_t field, std::string_view expected, std::string_view found) const {
         return wrong_at(at_ + field, expected, found);
     }
@@ -164,11 +164,11 @@ std::optional<Error> SessionReader::check_version() const {
     const auto major = number_at<std::uint16_t>(header_at::kMajor);
     const auto minor = number_at<std::uint16_t>(header_at::kMinor);
     if (major == kMajorVersion && minor <= kMinorVersion) return std::nullopt;
-    const bool newer = major >= kMajorVersion;  // an equal one got here by its minor version
+    const bool newer = major >= kMajorVersion;  // if the major versions are equal, the minor version is newer
     return wrong(header_at::kMajor, fmt::format("a session of version {}.{}", kMajorVersion, kMinorVersion),
                  fmt::format("{}.{}, {}", major, minor,
                              newer ? "written by a newer program"
-                                   : "recorded before hands could let go: record it anew"));
+                                   : "recorded before hands could let go: record it again"));
 }
 
 Result<void> SessionReader::read_header() {
@@ -179,7 +179,7 @@ Result<void> SessionReader::read_header() {
     if (left() < header_at::kSize) {
         return wrong(left(), fmt::format("a header of {} bytes", header_at::kSize), "the end of the file");
     }
-    // Before the checksum: a newer version may keep it elsewhere.
+    // The version comes first, because a newer version may have its checksum elsewhere.
     if (auto error = check_version()) return *error;
     if (auto error = expect_checksum("the header", span_at(0, header_at::kChecksum), header_at::kChecksum)) {
         return *error;
@@ -417,7 +417,7 @@ Result<void> SessionReader::check_records(std::size_t from, std::size_t to, std:
             return *error;
         }
         ticks += more;
-        if (ticks > tick_count) break;  // before the sum can run over
+        if (ticks > tick_count) break;  // stops before the sum can overflow
         at += size;
     }
     if (ticks == tick_count) return {};

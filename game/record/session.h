@@ -1,4 +1,4 @@
-// A session read back: checked as a whole when it is read, then played tick by tick.
+// Reads a session: checks the whole file, then plays it tick by tick.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@
 
 namespace onggi::record {
 
-// Immutable once read; any thread.
+// Immutable; any thread.
 class Session {
   public:
-    // A whole block: the ticks from first_tick, and the hash of the state after the last of them.
+    // A complete block: the ticks from first_tick on, and the hash of the state after the last of them.
     struct Block {
         std::uint64_t first_tick = 0;
         std::uint32_t tick_count = 0;
@@ -28,14 +28,14 @@ class Session {
 
     [[nodiscard]] const SessionHeader& header() const noexcept { return header_; }
     [[nodiscard]] std::span<const std::byte> start_state() const noexcept;
-    // What was done to the work after the last tick, opaque here as the start state is; empty: nothing.
+    // The changes of the work after the last tick, opaque like the start state; empty if there are none.
     [[nodiscard]] std::span<const std::byte> supplement() const noexcept;
     [[nodiscard]] std::span<const Block> blocks() const noexcept { return blocks_; }
     [[nodiscard]] std::uint64_t tick_count() const noexcept { return tick_count_; }
-    // False if the file ends before its end marker, as after a crash or a broken copy: it then holds every
-    // tick up to the last whole block.
+    // False if the file ends before its end marker, as after a crash or an interrupted copy. It then holds
+    // all ticks up to the last complete block.
     [[nodiscard]] bool is_complete() const noexcept { return complete_; }
-    // What is wrong behind the last whole block, as one line; empty: nothing, or the file just ends.
+    // The damage after the last complete block, in one line; empty if there is none or the file just ends.
     [[nodiscard]] const std::string& damage() const noexcept { return damage_; }
     [[nodiscard]] std::size_t usable_bytes() const noexcept { return usable_bytes_; }
     [[nodiscard]] std::size_t file_bytes() const noexcept { return bytes_.size(); }
@@ -48,7 +48,7 @@ class Session {
     Session() = default;
     [[nodiscard]] const std::byte* at(std::size_t offset) const noexcept;
 
-    std::string bytes_;  // the whole file: ticks are decoded from it as they are played
+    std::string bytes_;  // the whole file; ticks are decoded during playback
     SessionHeader header_;
     std::size_t start_state_at_ = 0;
     std::size_t start_state_bytes_ = 0;
@@ -61,26 +61,25 @@ class Session {
     std::string damage_;
 };
 
-// What to do about a block that is damaged, as a power cut leaves one behind.
+// How to treat a damaged block, which a power cut may leave.
 enum class Damage {
     kRefuse,
-    kCutThere,  // take the file as one that ends before it; header and start state have to be whole
+    kCutThere,  // treat the file as if it ended before the block; header and start state must be intact
 };
 
-// The session in `bytes`, the whole of a file; `name` stands for it in messages. Everything is checked before
-// anything is played: magic, version, bounds, every checksum, every record, and that nothing follows the end.
-// Refusals are bad input and name the byte offset. Main thread.
+// Parses a whole session file; error messages call it `name`. Checks everything before any playback: magic,
+// version, bounds, all checksums, all records, and that nothing follows the end marker. Errors: bad input,
+// with the byte offset. Main thread.
 [[nodiscard]] Result<Session> parse_session(std::string bytes, std::string_view name,
                                             Damage damage = Damage::kRefuse);
 
-// Walks a session's ticks in order. No allocation, nothing fails: fit for the tick. The session must outlive
-// it.
+// Plays a session's ticks in order. Does not allocate or fail: fit for the tick. The session must outlive it.
 class SessionCursor {
   public:
     explicit SessionCursor(const Session& session) noexcept : session_(&session) {}
 
-    // The tool at `tick`; after the last tick, that of the last; a resting tool where there is none. Cheap
-    // for the same and the next tick; any other is looked for from its block's start.
+    // The tool at `tick`; after the last tick, that of the last; a resting tool if there are no ticks. Cheap
+    // for the same tick and the next; for another, it searches from the start of its block.
     [[nodiscard]] tool::ToolState at(std::uint64_t tick) noexcept;
 
   private:
@@ -90,8 +89,8 @@ class SessionCursor {
     const Session* session_;
     std::size_t block_ = 0;
     std::size_t record_at_ = 0;  // offset of the next record
-    std::uint32_t held_ = 0;     // ticks that the present run still covers
-    std::uint64_t tick_ = 0;     // whose tool `tool_` is, if entered_
+    std::uint32_t held_ = 0;     // number of ticks that the current repeat record still covers
+    std::uint64_t tick_ = 0;     // the tick of `tool_`, if entered_
     bool entered_ = false;
     tool::ToolState tool_;
 };

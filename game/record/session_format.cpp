@@ -12,7 +12,7 @@ std::uint32_t force_check(const dvec3& force_n) noexcept {
     hash.add(force_n.x);
     hash.add(force_n.y);
     hash.add(force_n.z);
-    // The low half: StateHash has folded the high one into it, and folding again would undo that.
+    // The low half: StateHash has already folded the high half into it; folding again would cancel that.
     return static_cast<std::uint32_t>(hash.value());
 }
 

@@ -1,5 +1,4 @@
-// The session file, `.onggi`: what stands at its start, and the bounds of what it may hold. README.md gives
-// the bytes.
+// The session file, `.onggi`: its header, and the limits of its content. README.md describes the bytes.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +8,14 @@
 
 namespace onggi::record {
 
-// Not text, and spoilt by every kind of line-end conversion.
+// Not valid text, and changed by every kind of line-end conversion.
 constexpr std::string_view kMagic{"\x89ONGGI\r\n", 8};
-// What is added raises the minor version, and the older ones stay readable: README.md says how.
+// An addition raises the minor version, and older versions stay readable: see README.md.
 constexpr std::uint16_t kMajorVersion = 2;
-constexpr std::uint16_t kMinorVersion = 1;     // 1: a supplement may stand before the end
-constexpr std::uint32_t kHashInterval = 1000;  // ticks; a state hash, and a block, every so many
+constexpr std::uint16_t kMinorVersion = 1;     // 1: a supplement may precede the end marker
+constexpr std::uint32_t kHashInterval = 1000;  // ticks between state hashes, and per block
 
-// What a file may hold at most; more is damage or malice, not a session.
+// The limits of a file; a larger number is damage or an attack.
 constexpr std::uint32_t kMaxElements = 200000;
 constexpr std::uint32_t kMaxSectors = 4096;
 constexpr std::uint64_t kMaxStartStateBytes = std::uint64_t{64} << 20U;
@@ -26,25 +25,25 @@ constexpr double kMaxSessionRateHz = 10000.0;
 constexpr double kMaxSessionSeconds = 24.0 * 3600.0;
 constexpr std::uint64_t kMaxSessionBytes = std::uint64_t{2} << 30U;
 
-// What a tool says to the work that the start state speaks of: a plain tool, or all there is to one. The
-// numbers are in files: never renumber.
+// The detail in which the records describe a tool: a plain tool, or all its fields. The numbers are in files:
+// never renumber.
 enum class ToolDetail : std::uint32_t { kPlain = 1, kWhole = 2 };
 
-// What the whole session rests on. The start state itself is opaque here: the game writes and reads it.
+// The parameters of the whole session. The start state itself is opaque here: the game writes and reads it.
 struct SessionHeader {
     double rate_hz = 1000.0;
     std::uint32_t element_count = 2000;
-    std::uint32_t sector_count = 1;  // 1: work that is round everywhere
+    std::uint32_t sector_count = 1;  // 1: the work is round everywhere
     ToolDetail tool_detail = ToolDetail::kPlain;
     std::uint64_t start_state_hash = 0;  // before the first tick
 
     friend bool operator==(const SessionHeader&, const SessionHeader&) = default;
 };
 
-// What is kept of a tick's force: enough to name the tick at which a replay begins to feel different.
+// The check value of a tick's force. It suffices to find the tick from which a replay's forces differ.
 [[nodiscard]] std::uint32_t force_check(const dvec3& force_n) noexcept;
 
-// Whether a file's first bytes are those of a session, whole or damaged.
+// Whether a file's first bytes are a session's, intact or damaged.
 [[nodiscard]] constexpr bool opens_a_session(std::string_view start) {
     return start.substr(0, kMagic.size()) == kMagic;
 }

@@ -55,7 +55,7 @@ std::vector<std::byte> header_bytes(const SessionHeader& header, std::span<const
     put(bytes, header.rate_hz);
     put(bytes, header.element_count);
     put(bytes, header.sector_count);
-    put(bytes, std::uint32_t{0});  // flags: none yet
+    put(bytes, std::uint32_t{0});  // flags: not used yet
     put(bytes, static_cast<std::uint32_t>(header.tool_detail));
     put(bytes, static_cast<std::uint64_t>(start_state.size()));
     put(bytes, header.start_state_hash);
@@ -91,7 +91,7 @@ std::vector<std::byte> head_bytes(const BlockHead& head) {
     return bytes;
 }
 
-// By bits: 0.0 and -0.0 are not the same input, and a replay has to get the one that was.
+// Compares bits, because 0.0 and -0.0 are different inputs and a replay needs the recorded one.
 bool same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
@@ -100,7 +100,7 @@ bool same_position(const dvec3& a, const dvec3& b) {
     return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
 
-// All but where the hands are.
+// Compares all fields but the hands' positions.
 bool same_settings(const tool::ToolState& a, const tool::ToolState& b) {
     return same_bits(a.radius_mm, b.radius_mm) && a.wheel_button == b.wheel_button && a.tool == b.tool &&
            a.side == b.side && same_bits(a.water, b.water) && a.wire == b.wire &&
@@ -112,7 +112,7 @@ bool same_settings(const tool::ToolState& a, const tool::ToolState& b) {
            a.pressing == b.pressing;
 }
 
-// Nothing but what a plain tool record holds.
+// Whether a plain tool record holds all of the tool's fields that differ from their defaults.
 bool is_plain(const tool::ToolState& tool) {
     const tool::ToolState plain = tool::plain_tool(tool);
     return same_settings(tool, plain) && same_position(tool.second.position_mm, plain.second.position_mm);
@@ -134,7 +134,7 @@ Result<SessionWriter> SessionWriter::create(const std::filesystem::path& destina
         return valid.error();
     auto file = files::AtomicFile::create(destination, beside);
     if (!file) return file.error();
-    // The lowest that has all of it, so that older programs read what they can.
+    // The lowest version that covers the content, so that older programs can read as much as possible.
     const auto minor_version = static_cast<std::uint16_t>(supplement.empty() ? 0 : 1);
     if (auto written = file->write(header_bytes(header, start_state, minor_version)); !written)
         return written.error();
@@ -234,7 +234,7 @@ Result<void> SessionWriter::end_block(std::uint64_t state_hash) {
     records_.clear();
     checks_.clear();
     last_tool_.reset();
-    // A recording that should outlive a crash has to leave the program's memory block by block.
+    // To survive a crash, a recording leaves the program's memory block by block.
     return file_.beside().empty() ? Result<void>{} : file_.flush();
 }
 

@@ -17,15 +17,15 @@
 
 namespace onggi::screens {
 
-// The present pictures of a composition's turning pots, by the keys of their items.
+// The current pictures of a composition's turning pots, by the keys of their items.
 struct Turned {
     std::uint64_t key = 0;
     std::shared_ptr<const ui::Painting> painting;
 };
 using TurnedPots = std::vector<Turned>;
 
-// The rotation of a pot on a shelf: nine seconds a turn, paused while a finger is on it; with less motion,
-// four views of four seconds each. Pure; seconds.
+// The rotation of a shelf's pots: nine seconds a turn, paused while a finger holds one; with less motion,
+// four views for four seconds each. Pure; seconds.
 class TurnTable {
   public:
     // dt_s is the time since the last call. Returns 0 to 1.
@@ -35,7 +35,7 @@ class TurnTable {
     double turned_s_ = 0.0;
 };
 
-// A composition and what it was made from.
+// A composition and the view it shows.
 struct Composed {
     std::shared_ptr<const View> view;
     Composition composition;
@@ -53,9 +53,9 @@ class Composer final : private jobs::IoWork {
 
     // Wait-free.
     void ask(std::shared_ptr<const View> view) noexcept { requests_.put(view); }
-    // Stops the pots while a finger is on them.
+    // Pauses the turning while a finger is on a pot.
     void hold(bool held) noexcept { held_.store(held, std::memory_order_relaxed); }
-    // The present pictures of latest()'s pots; null while nothing turns.
+    // The current pictures of latest()'s pots; null if none turns.
     [[nodiscard]] std::shared_ptr<const TurnedPots> turned() noexcept { return turned_.latest(); }
     // The last finished composition; null before the first.
     [[nodiscard]] std::shared_ptr<const Composed> latest() noexcept { return done_.latest(); }

@@ -9,7 +9,7 @@
 namespace onggi::screens {
 namespace {
 
-// A frame has a whole number of ticks, so the rate over a single frame would fluctuate.
+// A frame has a whole number of ticks, so a rate over a single frame would fluctuate.
 constexpr double kRateOverS = 0.25;
 // Without a force device a hand may press into the clay with tens of newtons.
 constexpr std::array kSteps{0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
@@ -22,7 +22,7 @@ constexpr float kShaftU = 6.0F;
 constexpr float kHeadU = 24.0F;
 constexpr float kCasingU = 3.0F;
 constexpr float kLeastSeen =
-    0.35F;  // visible fraction of an arrow's length below which the sign for into or out of is drawn
+    0.35F;  // with a shorter visible fraction, an arrow gets the sign for into or out of the picture
 constexpr float kSignU = 13.0F;
 
 Colour colour_of(Force force) {
@@ -51,7 +51,7 @@ void draw_head(DrawList& list, vec2 tip, vec2 along, float length, float half, c
     list.add_line(edge, 0.5F, colour);  // soft edges
 }
 
-// As in physics books: a dot is an arrow's tip, a cross its feathers.
+// The signs of physics books: a dot for an arrow's tip, a cross for its feathers.
 void draw_sign(DrawList& list, Force force, vec2 at, bool towards, float u) {
     const Colour colour = force == Force::kTotal ? design::kOutline : colour_of(force);
     list.add_disc(at, (kSignU + kCasingU + 1.0F) * u, design::kNight.with_alpha(0.85F));
@@ -88,8 +88,8 @@ struct Named {
     vec2 tip;
 };
 
-// Draws the names in a column beside the touch, away from the pot's middle, with a leader from each arrow's
-// tip: at the tips, names would cover other arrows.
+// Draws the names in a column beside the contact, away from the pot's middle, with a leader line to each
+// arrow's tip: names at the tips would cover other arrows.
 void draw_names(const std::vector<Named>& named, const ForceParts& parts, const ForcePainter& painter) {
     if (named.empty()) return;
     const float u = painter.px_per_u;
@@ -122,7 +122,7 @@ void draw_names(const std::vector<Named>& named, const ForceParts& parts, const 
     }
 }
 
-// The panel of forces: its composed part, and the part that changes with each frame.
+// The panel of forces: a composed part, and a part that changes in each frame.
 
 constexpr std::array kNames{"force.stiffness", "force.viscosity", "force.friction", "force.sum"};
 constexpr float kRow = 38.0F;
@@ -165,7 +165,7 @@ Places places_on(const Page& page) {
     return {panel, forces, plot, plot.moved({0.0F, plot_height + kRow + 12.0F})};
 }
 
-// Adds name, number and unit in one line; returns the number's place. Only the panel as a whole is mirrored.
+// Adds name, number and unit in one line. Returns the number's place. The panel is mirrored as a whole.
 vec2 line(Page& page, const Rect& rect, const std::string& name, const std::string& unit, float unit_width,
           float number_width, float name_x) {
     const bool rtl = page.right_to_left();
@@ -180,7 +180,7 @@ vec2 line(Page& page, const Rect& rect, const std::string& name, const std::stri
     return {right, rect.y + 16.0F};
 }
 
-// The legend: an arrow as drawn over the clay.
+// Draws the legend: an arrow, as over the clay.
 ui::Sketch key_of(std::size_t force) {
     ui::Sketch sketch;
     constexpr std::array kColours{design::kStiffness, design::kViscosity, design::kFriction, design::kNight};
@@ -227,7 +227,7 @@ void add_panel(Page& page, ForceParts& parts) {
             ui::Box{{0.0F, 0.0F, plot.width, plot.height}, 4.0F, ui::Fill::flat(ui::hex(0x000000, 0.4F))});
         page.sprite(plot, std::move(frame));
     }
-    // The widest numbers in the room that line() leaves for them.
+    // Records the widest numbers for the audit, with the room that line() leaves for them.
     const auto loose = [&](const std::string& number, vec2 right_middle, float room) {
         float wide = 0.0F;
         for (const char letter : number)
@@ -262,7 +262,7 @@ void draw_number(const std::string& number, vec2 right_middle, const ForceParts&
     }
 }
 
-// Plots one value from the start of the window at the left edge to now at the right.
+// Plots one value; the window's start is at the left edge, now is at the right.
 template <typename ValueOf>
 void draw_plot(const ForceTrace& trace, const Rect& plot_u, double full, const ui::Colour& colour,
                const ForcePainter& painter, const ValueOf& value_of) {
@@ -372,7 +372,7 @@ void draw_touches(const ForceFrame& frame, const ForceParts& parts, const ForceP
     for (std::size_t i = 0; i < frame.touches.size(); ++i) {
         const ForceTouch& touch = frame.touches[i];
         draw_rings(painter.list, touch, u);
-        for (std::size_t k = kForceCount; k-- > 0;) {  // the sum is drawn first, below the others
+        for (std::size_t k = kForceCount; k-- > 0;) {  // draws the sum first, below the others
             const auto force = static_cast<Force>(k);
             const ForceArrow& arrow = touch.arrows[k];
             if (!arrow.shown || (force == Force::kTotal && !frame.with_sum)) continue;
@@ -381,7 +381,7 @@ void draw_touches(const ForceFrame& frame, const ForceParts& parts, const ForceP
             const vec2 along = length > 0.5F ? way / length : vec2(0.0F, -1.0F);
             vec2 tip = arrow.to_px;
             if (arrow.seen < kLeastSeen) {
-                // At the touch itself, where the other arrows begin, it would not be visible.
+                // At the contact itself, other arrows would hide the sign.
                 tip = arrow.from_px + std::max(length, 2.6F * kSignU * u) * along;
                 draw_sign(painter.list, force, tip, arrow.towards, u);
                 tip += kSignU * u * along;

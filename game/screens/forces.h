@@ -1,5 +1,5 @@
-// The forces of a touch, made visible: an arrow for each where the hand touches the clay, the rings it
-// touches lit, and how force and tick rate went lately. Drawn anew every frame. Main thread. Pixels, N.
+// Shows the forces of a touch: an arrow for each at the hand's contact, the touched rings lit, and plots of
+// force and tick rate. Redrawn every frame. Main thread. Pixels, N.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@
 
 namespace onggi::screens {
 
-// How force and tick rate went in the last few seconds, for their plots: a ring of samples, one a frame. Main
+// Force and tick rate of the last few seconds for the plots: a ring buffer with one sample a frame. Main
 // thread. s, N, Hz.
 class ForceTrace {
   public:
     static constexpr double kWindowS = 4.0;
-    static constexpr std::size_t kMost = 512;  // 120 frames a second fill less
+    static constexpr std::size_t kMost = 512;  // enough for 120 frames a second
 
     struct Sample {
         double time_s = 0.0;
@@ -28,16 +28,16 @@ class ForceTrace {
         double rate_hz = 0.0;
     };
 
-    // Times ascend; ticks: how many the loop has run since it began.
+    // Times must ascend; `ticks` is the loop's count since its start.
     void add(double time_s, double force_n, std::uint64_t ticks);
 
-    // Oldest first; those older than the window are gone.
+    // Oldest first; samples older than the window are dropped.
     [[nodiscard]] std::size_t size() const { return count_; }
     [[nodiscard]] const Sample& at(std::size_t place) const { return kept(place).sample; }
-    // Of the last quarter of a second; 0 before there was one.
+    // The rate over the last quarter of a second; 0 before the first sample.
     [[nodiscard]] double rate_hz() const { return count_ == 0 ? 0.0 : at(count_ - 1).rate_hz; }
-    // What a plot's height stands for: the next of 0.1, 0.2, 0.5, 1, 2, 5 up to 100 N that nothing in the
-    // window passes.
+    // The force at the plot's full height: the smallest of 0.1, 0.2, 0.5, 1, 2, 5 up to 100 N that covers all
+    // samples.
     [[nodiscard]] double full_n() const { return full_n_; }
 
   private:
@@ -56,29 +56,29 @@ class ForceTrace {
 struct ForceArrow {
     vec2 from_px{0.0F};
     vec2 to_px{0.0F};
-    // How much of its length is seen; little: it points into the picture, or out of it.
+    // The visible fraction of its length: small if the arrow points into or out of the picture.
     float seen = 1.0F;
-    bool towards = false;  // out of it
-    bool shown = false;    // there is such a force
+    bool towards = false;  // points out of the picture
+    bool shown = false;    // the force exists
 };
 
-// Where one hand touches.
+// The contact of one hand.
 struct ForceTouch {
     std::array<ForceArrow, kForceCount> arrows{};
-    std::vector<std::vector<vec2>> rings_px{};  // a line for each that is lit, or for some of many
-    // The stretch of clay they fill; empty: seen through its mouth.
+    std::vector<std::vector<vec2>> rings_px{};  // a line per lit ring; a selection if many are touched
+    // The upper and lower edge of the touched band; empty if seen through the pot's mouth.
     std::vector<vec2> upper_px{};
     std::vector<vec2> lower_px{};
 };
 
 struct ForceFrame {
-    std::vector<ForceTouch> touches{};  // the first has names at its arrows
+    std::vector<ForceTouch> touches{};  // only the first one's arrows are named
     std::array<double, kForceCount> size_n{};
     const ForceTrace* trace = nullptr;
-    bool with_sum = true;  // else the three alone, as a lesson
+    bool with_sum = true;  // false: only the three parts, for a lesson
 };
 
-// What drawing needs of its surroundings.
+// The context for drawing.
 struct ForcePainter {
     ui::DrawList& list;
     float px_per_u = 1.0F;
@@ -86,18 +86,20 @@ struct ForcePainter {
     std::function<std::optional<ui::Rect>(const Item&)> place;  // in the atlas
 };
 
-// The line and head of one force; they differ in form too, so that colour is never the only sign.
+// Draws the line and head of one force. Each force has its own shape too, so that colour is not the only
+// sign.
 void draw_arrow(ui::DrawList& list, Force force, vec2 from_px, vec2 to_px, float px_per_u);
 void draw_touches(const ForceFrame& frame, const ForceParts& parts, const ForcePainter& painter);
-// What forces are shown with on a page, and the panel where the visitor asked for it. The composer's thread.
+// Adds to a page the parts that show forces, and the panel if the visitor asked for it. The composer's
+// thread.
 void add_forces(Page& page);
-// Nothing but that, over a picture that plays by itself.
+// Composes only those parts, over a picture that plays by itself.
 [[nodiscard]] Composition compose_forces(const View& view, ui::Painter& painter, PaintingStore& store);
-// What changes in the panel: its numbers and plots.
+// Draws the changing parts of the panel: its numbers and plots.
 void draw_force_panel(const ForceFrame& frame, const ForceParts& parts, const ForcePainter& painter);
 
-// Boxes side by side on a screen: each moved as little as possible so that none covers another. Those that
-// cannot be kept apart on the screen stay on it.
+// Moves boxes as little as possible so that they do not overlap and stay within the bounds. If there is not
+// enough room, they overlap.
 void keep_apart(std::span<ui::Rect> boxes, const ui::Rect& bounds, float gap);
 
 }  // namespace onggi::screens

@@ -41,8 +41,8 @@ bool are_alike(const Item& a, const Item& b) {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-// Removes the partners of items that lie over an item without one, which would be drawn over them. Returns
-// true if there were any.
+// Removes the pairing of items that lie over an unpaired item: they would be drawn under it. Returns whether
+// there were any.
 bool drop_covered(const std::vector<Item>& items, std::vector<std::size_t>& partner,
                   std::vector<std::size_t>& partner_of_other) {
     bool dropped = false;
@@ -79,7 +79,7 @@ void Stage::take(std::shared_ptr<const Composed> composed, double now_s) {
     }
     now_ = std::move(composed);
     find_alike();
-    // Drops the pots of former screens.
+    // Drop the pots of earlier screens.
     if (turning_.size() > 16) turning_.clear();
 }
 
@@ -122,7 +122,7 @@ int Stage::target_at(vec2 px) const {
     return -1;
 }
 
-// Places all pictures of a composition in the atlas; returns false if making room removed another one.
+// Places all pictures of a composition in the atlas. Returns false if that removed another picture.
 bool Stage::all_placed(const Composed& composed) {
     const std::uint64_t generation = atlas_.generation();
     for (const Item& item : composed.composition.items) {
@@ -172,7 +172,7 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
     const bool has_changed = before_ != nullptr && along >= 1.0;
     if (has_changed) before_.reset();
     if (has_changed) atlas_.begin_asking();
-    // Repeats, because adding a painting may have cleared the half of the atlas with an earlier one.
+    // Repeat: adding a painting may have cleared the half of the atlas that holds an earlier one.
     for (int look = 0; look < 3; ++look) {
         const bool kept_before = !before_ || all_placed(*before_);
         if (all_placed(*now_) && kept_before) break;
@@ -187,7 +187,7 @@ const ui::DrawList& Stage::draw(const StageFrame& frame) {
         const bool to_wall = now_->composition.covers;
         covers_ = from_wall && to_wall;
         scene_rests_ = from_wall != to_wall;
-        // The fade has not begun: shows the old screen while the scene is prepared.
+        // The fade has not begun: show the old screen while the scene is prepared.
         const bool still_covers = from_wall && !to_wall && fraction <= 0.0F;
         if (still_covers) {
             covers_ = true;
@@ -205,7 +205,8 @@ void Stage::add_changing(const StageFrame& frame, float fraction) {
     const float rise = is_still(*now_) ? 0.0F : kRiseU * (1.0F - fraction);
     const bool from_wall = before_->composition.covers;
     const bool to_wall = now_->composition.covers;
-    // A wall is the first item. A different or new wall fades in over the previous screen.
+    // A wall is always the first item. If the walls differ or the wall is new, it fades in over the previous
+    // screen.
     const bool is_other_wall = to_wall && (alike_now_.empty() || alike_now_.front() == 0);
     add(*now_, frame, {.part = Part::kAlike});
     if (is_other_wall) {
@@ -270,7 +271,7 @@ void Stage::follow_cue(const StageFrame& frame, double step_s) {
     cue_alpha_ = is_still(*now_) ? (is_wanted ? 1.0 : 0.0) : std::clamp(cue_alpha_ + change, 0.0, 1.0);
 }
 
-// Beside the belt, away from the hand, or under it if there is no room.
+// Places the words beside the belt, away from the hand, or below it if there is no room.
 void Stage::add_guard_words(const Composition& composition) {
     const Item& words = composition.guard_words[static_cast<std::size_t>(cue_.guard)];
     if (cue_.guard == CueGuard::kNone || !words.painting || cue_.belt.lower.empty()) return;

@@ -1,5 +1,5 @@
-// Draws compositions frame by frame: cross-fades, pressed tokens, fading cues; and finds the target under a
-// finger. Main thread. Times are seconds of the caller's clock.
+// Draws compositions frame by frame, with cross-fades, pressed tokens and fading cues, and finds the target
+// under a finger. Main thread. Times are seconds of the caller's clock.
 #pragma once
 
 #include <memory>
@@ -29,21 +29,21 @@ class Stage {
   public:
     // Takes the composition if it is newer than the last.
     void take(std::shared_ptr<const Composed> composed, double now_s);
-    // Sets the present pictures of the turning pots; ignores those not on the stage.
+    // Takes the current pictures of the turning pots; ignores pots that are not on the stage.
     void turn(std::shared_ptr<const TurnedPots> pots) { turned_ = std::move(pots); }
     // The complete draw list of this frame. Valid until the next call.
     const ui::DrawList& draw(const StageFrame& frame);
 
     // Whether the scene is completely hidden in this frame.
     [[nodiscard]] bool covers() const { return covers_; }
-    // Whether a screen that hides the scene is fading in or out: the scene need not be redrawn.
+    // Whether a screen that hides the scene is fading in or out; meanwhile the scene need not be redrawn.
     [[nodiscard]] bool scene_rests() const { return scene_rests_; }
     // The texture uploads of the last draw(), to be passed on with its list.
     [[nodiscard]] std::span<const ui::Atlas::Upload> uploads() const { return uploads_; }
     [[nodiscard]] int atlas_side_px() const { return atlas_.side_px(); }
 
     [[nodiscard]] const Composed* shown() const { return now_.get(); }
-    // The target under a pixel, or -1.
+    // Returns the target under a pixel, or -1.
     [[nodiscard]] int target_at(vec2 px) const;
     [[nodiscard]] bool changes(double now_s) const;
 
@@ -78,14 +78,14 @@ class Stage {
     std::shared_ptr<const TurnedPots> turned_;
     std::shared_ptr<const Composed> now_;
     std::shared_ptr<const Composed> before_;  // fading out
-    // One entry per item: whether both compositions show it alike at the same place, so that it need not
+    // One entry per item: whether both compositions show it alike in the same place, so that it does not
     // fade.
     std::vector<char> alike_before_;
     std::vector<char> alike_now_;
     double since_s_ = 0.0;
     bool covers_ = false;
     bool scene_rests_ = false;
-    Cue cue_;  // the last one shown
+    Cue cue_;  // the cue shown last
     double cue_alpha_ = 0.0;
     double last_s_ = 0.0;
 };

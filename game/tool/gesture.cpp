@@ -18,28 +18,27 @@ namespace {
 using haptics::kWorkspaceMm;
 using Complaint = std::optional<std::string>;
 
-// The columns right of tool_radius_mm that are understood. Any other name is somebody else's, and its values
-// are not looked at.
+// The optional columns of a gesture table, right of tool_radius_mm. A column with any other name is ignored.
 enum class GestureColumn {
     kTool,        // one of kToolWords
-    kSide,        // one of kSideWords: where a hand that comes to the clay means to be
-    kWater,       // 0 to 1: how wet the hand or its tool is
-    kWheelSpeed,  // rev/min of the pedal while the button is 1
-    kAssistGap,   // mm between the hand and a second one held opposite; 0: none
-    kShaft,       // mm, radius of what carries an inside tool from above
+    kSide,        // one of kSideWords: the side of the wall that an approaching hand aims at
+    kWater,       // 0 to 1: wetness of the hand or its tool
+    kWheelSpeed,  // rev/min set by the pedal while the button is 1
+    kAssistGap,   // mm between the hand and an assisting one held opposite; 0: no assist
+    kShaft,       // mm, radius of the shaft that carries an inside tool from above
     kWire,        // one of kWireWords
     kWireHeight,  // mm
-    kSecondX,     // mm; empty in a row in which there is no second hand
+    kSecondX,     // mm; empty in a row without a second hand
     kSecondY,
     kSecondZ,
-    kSecondRadius,  // mm; without the column as large as the first
-    kSecondTool,    // as tool
-    kGuided,        // 0 or 1: the place is a finger's, which skilled hands follow
-    kPressing,      // 0 or 1: without it no hand is in the clay
+    kSecondRadius,  // mm; default: the first hand's radius
+    kSecondTool,    // as kTool
+    kGuided,        // 0 or 1: the position is a finger's on the screen, which simulated hands follow
+    kPressing,      // 0 or 1: 0 means that no hand is in the clay
     kNotOurs,
 };
 
-// Whether it is one of the three that say where the second hand is.
+// Whether the column is one of the second hand's coordinates.
 constexpr bool is_place_of_second(GestureColumn column) {
     return column == GestureColumn::kSecondX || column == GestureColumn::kSecondY ||
            column == GestureColumn::kSecondZ;
@@ -53,7 +52,7 @@ Complaint take_number(std::string_view field, double least, double most, double&
     return std::nullopt;
 }
 
-// The words stand in the order of the enum's numbers.
+// `words` is indexed by the enum's values.
 template <typename Enum>
 Complaint take_word(std::string_view field, std::span<const std::string_view> words, Enum& value) {
     const auto found = std::find(words.begin(), words.end(), field);
@@ -68,7 +67,7 @@ Complaint take_bit(std::string_view field, bool& bit) {
     return std::nullopt;
 }
 
-// The columns' names in the order of GestureColumn, kNotOurs excepted.
+// The columns' names in the order of GestureColumn, without kNotOurs.
 constexpr std::array<std::string_view, 15> kNames{
     "tool",       "side",      "water",      "wheel_rev_min", "assist_gap_mm", "shaft_mm",
     "wire",       "wire_y_mm", "hand2_x_mm", "hand2_y_mm",    "hand2_z_mm",    "hand2_radius_mm",
@@ -84,8 +83,8 @@ GestureColumn gesture_column(std::string_view name) {
     return static_cast<GestureColumn>(std::find(kNames.begin(), kNames.end(), name) - kNames.begin());
 }
 
-// Takes one field of one row. An empty one leaves what the row has by default. Returns what was expected
-// where the field is not that.
+// Parses one field of a row into `tool`. An empty field keeps the default. If the field is invalid, returns
+// what was expected.
 Complaint take_field(GestureColumn column, std::string_view field, ToolState& tool) {
     if (field.empty()) return std::nullopt;
     SecondHand& second = tool.second;
@@ -126,8 +125,8 @@ Complaint take_field(GestureColumn column, std::string_view field, ToolState& to
     return std::nullopt;
 }
 
-// The name of a column that one of these needs and that is not among them: the wire its height, a second hand
-// its whole place.
+// Returns the name of a required column that is missing: the wire requires its height, a second hand all its
+// coordinates.
 std::optional<std::string_view> missing_column(const std::vector<GestureColumn>& columns) {
     using enum GestureColumn;
     const auto name_of = [](GestureColumn column) { return kNames[static_cast<std::size_t>(column)]; };
@@ -152,13 +151,13 @@ struct Line {
     std::string_view text;   // without its end
 };
 
-// Hands out lines one by one, and never looks further for a line's end than a line may be long.
+// Reads line by line; searches for a line's end no further than the longest allowed line.
 class LineReader {
   public:
     explicit LineReader(std::string_view text) : rest_(text) {}
 
     [[nodiscard]] bool at_end() const { return rest_.empty(); }
-    // Precondition: !at_end(). Nothing if the line is too long.
+    // Precondition: !at_end(). Empty if the line is too long.
     std::optional<Line> next() {
         ++number_;
         const std::string_view window = rest_.substr(0, kMaxGestureLineBytes + 1);
@@ -176,7 +175,7 @@ class LineReader {
     std::size_t number_ = 0;
 };
 
-// The fields of a line, one after another.
+// Reads the fields of a line one by one.
 class FieldReader {
   public:
     explicit FieldReader(std::string_view line) : rest_(line) {}
@@ -207,10 +206,10 @@ Error line_too_long(std::string_view name, std::size_t line) {
         fmt::format("expected a line of at most {} bytes, found a longer one", kMaxGestureLineBytes));
 }
 
-// The columns to the right of the agreed ones.
+// The optional columns, to the right of the required ones.
 struct Header {
     std::vector<std::string> extra;
-    std::vector<GestureColumn> columns;  // what each of them is
+    std::vector<GestureColumn> columns;  // the meaning of each column
 };
 
 Result<Header> parse_header(const Line& line, std::string_view name) {
@@ -247,7 +246,7 @@ Result<Header> parse_header(const Line& line, std::string_view name) {
     return header;
 }
 
-// One row's fields into numbers; the first thing wrong is kept, as a sentence.
+// Parses the fields of one row; keeps the first error.
 class RowParser {
   public:
     RowParser(std::string_view name, const Line& line) : name_(name), line_(line), fields_(line.text) {}
@@ -282,7 +281,7 @@ class RowParser {
 
     void extra(const Header& header, ToolState& tool) {
         tool.second.radius_mm = tool.radius_mm;
-        std::size_t places = 0;  // of the second hand's three that are filled in
+        std::size_t places = 0;  // how many of the second hand's three coordinates are filled in
         std::string_view empty_place;
         for (std::size_t i = 0; i < header.columns.size() && !error_; ++i) {
             const auto field = fields_.next();
@@ -297,7 +296,7 @@ class RowParser {
         }
         if (places != 0 && !empty_place.empty())
             fail(empty_place, "a number beside the other two coordinates", "");
-        // Where a column for the second hand says nothing, there is none in that row.
+        // Empty coordinates: this row has no second hand.
         if (!tool.second.present) tool.second = {};
         if (!error_ && fields_.next()) {
             error_ = at_line(
@@ -334,7 +333,6 @@ class RowParser {
     std::optional<Error> error_;
 };
 
-// The header line's reading is all that a start is checked for.
 Result<Header> read_header(LineReader& lines, std::string_view name) {
     if (lines.at_end()) {
         return at_line(name, 1, fmt::format("expected the header {}, found an empty file", kGestureHeader));
@@ -399,7 +397,8 @@ ToolState Gesture::at(double t_s) const noexcept {
 }
 
 std::uint64_t Gesture::tick_count(double rate_hz) const noexcept {
-    // The slack lets a last row at 0.3 s have its tick at 1000 Hz, though 0.3 is less than three tenths.
+    // The slack gives a last row at 0.3 s its tick at 1000 Hz, although the double 0.3 is less than three
+    // tenths.
     return static_cast<std::uint64_t>(std::floor(duration_s() * rate_hz + 1e-9)) + 1;
 }
 

@@ -19,11 +19,11 @@ constexpr std::string_view kGestureHeader = "t_s,x_mm,y_mm,z_mm,button,tool_radi
 constexpr double kMaxGestureSeconds = 3600.0;
 constexpr std::size_t kMaxGestureLineBytes = 4096;
 constexpr std::size_t kMaxGestureBytes = std::size_t{256} << 20U;
-// Tick rates at which a gesture or session may be played.
+// The tick rates at which a gesture or session can be played.
 constexpr double kMinRateHz = 100.0;
 constexpr double kMaxRateHz = 10000.0;
 
-// What a hand did, at the instants somebody wrote down. Immutable; any thread; at() is fit for the tick.
+// The recorded motion of a hand, as rows in time. Immutable; any thread; at() is fit for the tick.
 class Gesture {
   public:
     struct Row {
@@ -31,11 +31,11 @@ class Gesture {
         ToolState tool;
     };
 
-    // The tool at time t_s: positions linear between rows, of the second hand where both have one; all else
-    // holds from its row's own t_s, inclusive, until the next row. Before the first row and after the last:
-    // that row. No allocation.
+    // The tool at time t_s. Positions are interpolated linearly between rows (the second hand's if both rows
+    // have one); every other field holds from its row's t_s, inclusive, until the next row. Before the first
+    // row returns the first, after the last the last. No allocation.
     [[nodiscard]] ToolState at(double t_s) const noexcept;
-    // floor(duration rate + 1e-9) + 1: ticks k = 0 ... tick_count - 1 at time (double)k / rate.
+    // The number of ticks, floor(duration * rate + 1e-9) + 1; tick k is at time (double)k / rate.
     [[nodiscard]] std::uint64_t tick_count(double rate_hz) const noexcept;
     [[nodiscard]] ToolState at_tick(std::uint64_t tick, double rate_hz) const noexcept {
         return at(static_cast<double>(tick) / rate_hz);
@@ -50,12 +50,12 @@ class Gesture {
     std::vector<Row> rows_;  // at least one, t_s strictly ascending from 0
 };
 
-// The gesture that `text` says; `name` stands for it in messages. Lines end in LF or CRLF; numbers are plain
-// decimal, whatever the locale. Every refusal is bad input and names line and column. Main thread.
+// Parses a gesture from `text`; error messages call it `name`. Lines end in LF or CRLF; numbers are plain
+// decimal, independent of the locale. Errors: bad input, with line and column. Main thread.
 [[nodiscard]] Result<Gesture> parse_gesture(std::string_view text, std::string_view name);
 
-// Whether `start`, the first bytes of a file, can open a gesture: refuses what parse_gesture would refuse for
-// its first line. Lets a caller turn away a huge file of the wrong kind unread.
+// Checks the header line in `start`, the first bytes of a file, as parse_gesture does: a caller can reject a
+// huge file of another kind without reading it.
 [[nodiscard]] Result<void> check_gesture_start(std::string_view start, std::string_view name);
 
 }  // namespace onggi::tool

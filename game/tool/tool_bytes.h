@@ -1,7 +1,6 @@
-// A tool with all there is to it, as bytes. Little-endian: both hands' x, y, z; both
-// radii, the assist's gap, the wire's height, the wheel's speed, the shaft, the water (doubles); button,
-// tool, side, wire, whether there is a second hand, its tool, whether the hand is guided, whether it
-// presses (bytes). Reading is fit for the tick.
+// All fields of a tool as bytes, little-endian: both hands' x, y, z; both radii, the assist's gap, the wire's
+// height, the wheel's speed, the shaft, the water (doubles); button, tool, side, wire, presence of a second
+// hand, its tool, guided, pressing (bytes). Reading is fit for the tick.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +18,11 @@ constexpr std::size_t kWholeToolBytes = kBothPositionsBytes + 7 * 8 + 8;
 void put_whole_tool(std::vector<std::byte>& bytes, const ToolState& tool);
 void put_both_positions(std::vector<std::byte>& bytes, const ToolState& tool);
 
-// Precondition: kWholeToolBytes stand there in which fault_of_whole_tool() finds none.
+// Precondition: `bytes` holds kWholeToolBytes in which fault_of_whole_tool() finds no fault.
 [[nodiscard]] ToolState get_whole_tool(const std::byte* bytes) noexcept;
 void get_both_positions(const std::byte* bytes, ToolState& tool) noexcept;
 
-// What no tool within its limits would have left, and where.
+// A value outside a tool's limits, and its offset.
 struct ToolFault {
     std::size_t offset = 0;
     std::string expected;

@@ -1,5 +1,5 @@
-// A hand in the clay and its tool at one instant: the one form in which gestures, sessions, the tick and the
-// clay speak of it. mm, rev/min.
+// A hand in the clay and its tool at one instant: the common type of gestures, sessions, the tick and the
+// clay. mm, rev/min.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 
 namespace onggi::tool {
 
-// Limits of every tool: of gestures, sessions, devices and keys.
+// Limits of every tool, whether from gestures, sessions, devices or keys.
 constexpr double kMinToolRadiusMm = 2.0;
 constexpr double kMaxToolRadiusMm = 40.0;
 constexpr double kMaxWheelSpeedRevMin = 300.0;
 constexpr double kMaxAssistGapMm = 60.0;
 
-// The other hand, where there is one.
+// The second hand, if present.
 struct SecondHand {
     bool present = false;
     Tool tool = Tool::kHand;
@@ -27,8 +27,8 @@ struct SecondHand {
     friend bool operator==(const SecondHand&, const SecondHand&) = default;
 };
 
-// The first three fields are a plain tool, which is all that the paper's clay knows. The defaults of the rest
-// are a bare hand at an electric wheel.
+// The first three fields are a plain tool, which is all that the paper's clay uses. The defaults of the
+// others describe a bare hand at an electric wheel.
 struct ToolState {
     dvec3 position_mm{0.0};     // centre of the tool's sphere, the haptic interface point; wheel frame, +Y up
     double radius_mm = 10.0;    // kMinToolRadiusMm to kMaxToolRadiusMm
@@ -36,30 +36,32 @@ struct ToolState {
 
     Tool tool = Tool::kHand;  // one of the first kClayTools
     Side side = Side::kFree;
-    double water = 0.0;  // how wet the hand or its tool is, 0 dry to 1 dripping
+    double water = 0.0;  // wetness of the hand or its tool: 0 dry, 1 dripping
     Wire wire = Wire::kNone;
-    double wire_height_mm = 0.0;         // 0 to 1000
-    double wheel_speed_rev_min = 120.0;  // of the pedal while the button is held; 0 to kMaxWheelSpeedRevMin
-    // The assist: a second hand held opposite the first across the wall. It rests there, and squeezes while
-    // the first hand climbs, until their surfaces are this far apart. Used only without a second hand; 0
+    double wire_height_mm = 0.0;  // 0 to 1000
+    // set by the pedal while the button is held; 0 to kMaxWheelSpeedRevMin
+    double wheel_speed_rev_min = 120.0;
+    // The assist: a second hand held opposite the first across the wall. It rests there and, while the first
+    // hand climbs, squeezes until their surfaces are this far apart. Used only without a second hand; 0
     // switches it off. At most kMaxAssistGapMm.
     double assist_gap_mm = 0.0;
     double shaft_mm = 0.0;  // hand inside: radius of the arm above the ball; 0 to kMaxToolRadiusMm
     SecondHand second{};
-    // The place is that of a finger on the upright plane through the axis (x, y), which skilled hands follow;
-    // not that of a ball in the clay.
+    // The position is that of a finger on the upright plane through the axis (x, y), which skilled hands
+    // follow, and not that of a ball in the clay.
     bool guided = false;
-    bool pressing = true;  // a hand that does not press is not in the clay
+    bool pressing = true;  // false: the hand is not in the clay
 
     friend bool operator==(const ToolState&, const ToolState&) = default;
 };
 
-// The paper's clay knows neither sides nor tools: all but a plain tool as by default.
+// Keeps only a plain tool's fields; the others get their defaults, because the paper's clay has no sides or
+// tools.
 [[nodiscard]] inline ToolState plain_tool(const ToolState& tool) noexcept {
     return {.position_mm = tool.position_mm, .radius_mm = tool.radius_mm, .wheel_button = tool.wheel_button};
 }
 
-// What a device reads of that hand, and the hand where a device reads it: only a device's share of the state.
+// sample_of: a device's part of a tool. moved_by: the tool after a device's sample.
 [[nodiscard]] inline haptics::HandSample sample_of(const ToolState& tool) noexcept {
     return {.position_mm = tool.position_mm,
             .button = tool.wheel_button,
@@ -76,8 +78,8 @@ struct ToolState {
     return tool;
 }
 
-// The tool brought within the limits, so that a recording never holds one that no reader would take. What is
-// not a finite number is replaced by the last good tool's. Any thread; fit for the tick.
+// Clamps the tool to its limits, so that a recording never contains one that a reader would refuse. Values
+// that are not finite are replaced by the last good tool's. Any thread; fit for the tick.
 [[nodiscard]] inline ToolState within_limits(const ToolState& tool, const ToolState& last_good) noexcept {
     const auto place = [](const dvec3& at, const dvec3& last) {
         const bool finite = std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z);

@@ -40,7 +40,7 @@ struct Transform {
     dvec3 position_mm{0.0};
 };
 
-// How the pot on the wheel is shown, whichever it is.
+// The appearance of the pot on the wheel, the loop's clay or another pot.
 struct Clay {
     bool shows_load = false;
     bool is_cut_open = false;  // towards the camera
@@ -48,56 +48,56 @@ struct Clay {
     std::vector<float> wetness{};  // how much water darkens each ring; of the last frame
 };
 
-// A pot apart from the haptic loop's clay: set aside, dried, fired or turned over. What it points to must
-// live until the component is replaced or removed.
+// A pot other than the haptic loop's clay: set aside, dried, fired or turned over. Its pointers must stay
+// valid until the component is replaced or removed.
 struct PotApart {
     const pot::Pot* pot = nullptr;
-    const render::LatheMaterial* material = nullptr;  // null: as its body and stage look
-    const render::LatheMarks* marks = nullptr;        // on its outside; null: none
+    const render::LatheMaterial* material = nullptr;  // null: from its body and stage
+    const render::LatheMarks* marks = nullptr;        // on its outside, or null
 };
-// It stands on the wheel, where it is seen instead of the loop's clay.
+// The pot stands on the wheel and replaces the loop's clay there.
 struct OnWheel {
-    std::optional<dvec2> direction{};  // (cos, sin) of the angle turned; empty: with the wheel
+    std::optional<dvec2> direction{};  // (cos, sin) of the rotation; empty: rotates with the wheel
 };
-// It is held upside down over the rim of the loop's clay, shifted in the clay's frame.
+// The pot is held upside down over the rim of the loop's clay, shifted in the clay's frame.
 struct HeldOver {
     vec2 shift_mm{0.0F};
 };
 
-// One of the two hands: drawn as the contact ball, or as hand and tool.
+// One of the two hands, drawn as the contact ball or as hand and tool.
 struct Hand {
     bool is_second = false;
-    bool is_away = false;  // not drawn, wherever the loop has it
+    bool is_away = false;  // not drawn, whatever the loop's position
     ToolPose pose{};
 };
-// The program leads this hand, instead of the haptic loop.
+// The program moves this hand, and the haptic loop does not.
 struct Led {
     DrawnHand hand{};
 };
 
-// A trimmer's shavings: they fall from the place of the cut, and lie about until nothing is shaved any more.
+// A trimmer's shavings: they fall from the cut and stay until the trimming ends.
 struct Shaved {
-    double shaved_mm3 = 0.0;  // since the trimmer was taken up
+    double shaved_mm3 = 0.0;  // since the trimmer was picked up
     dvec3 from_mm{0.0};
     Shavings shavings{};
 };
 
-// A tool whose place is on the bench.
+// A tool with a place on the bench.
 struct BenchTool {
     ToolModel model = ToolModel::kRib;
-    bool is_photographed = true;  // else it is drawn while it lies there
+    bool is_photographed = true;  // false: it is drawn while it lies there
     bool lies_there = true;
     double yaw_rad = 0.0;  // as in placed()
     double lean_rad = 0.0;
 };
 
-// The wire that cuts off the pot or its rim. Held ready at a height, it hides the hands at its ends; else it
-// is seen while the haptic loop cuts.
+// The wire that cuts off the pot or its rim. While it is held ready at a height, it hides the hands at its
+// ends; otherwise it is drawn while the haptic loop cuts.
 struct Wire {
     std::optional<double> held_mm{};
 };
 
-// Models of the tools; see load_tool_models(). With the ball alone, all tools are drawn as balls.
+// Models of the tools; see load_tool_models(). With only the ball, all tools are drawn as balls.
 struct ToolShelf {
     std::shared_ptr<const render::PropLibrary> library;
 
@@ -123,8 +123,8 @@ struct ViewPlace {
     friend bool operator==(const ViewPlace&, const ViewPlace&) = default;
 };
 
-// The photographed workshop. While it has a background to show, the camera stands where that was taken
-// instead of at the rig. The camera cuts to another view as soon as that picture is ready, and fades it in.
+// The photographed workshop. While there is a background, the camera is the background's and not the rig's.
+// The camera cuts to another view as soon as that picture is ready, and fades it in.
 struct PhotographedRoom {
     std::shared_ptr<const Workshop> workshop;
     View view = View::kThrowing;

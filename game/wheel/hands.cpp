@@ -12,28 +12,29 @@ namespace {
 using clay::studio::Grip;
 using tool::Side;
 
-constexpr double kHoversMm = 14.0;         // off the clay
+constexpr double kHoversMm = 14.0;         // distance from the clay
 constexpr double kAboveWheelMm = 14.0;     // a palm's edge
-constexpr double kTipsBelowRimMm = 3.0;    // where finger tips hold a rim
+constexpr double kTipsBelowRimMm = 3.0;    // place of finger tips that hold a rim
 constexpr double kTipsAboveFloorMm = 8.0;  // inside
-constexpr double kThumbMm = 8.0;           // from the thumbs' middle to their tips
-constexpr double kOpensWithin = 0.3;       // of the radius: so far from the axis thumbs hang over solid clay
-constexpr double kLeansOut = 0.25;         // of the depth: so far a hand inside reaches out below a neck
-constexpr double kAsideMm = 205.0;         // a finger farther out is out of the picture
+constexpr double kThumbMm = 8.0;           // from the middle of the thumbs to their tips
+constexpr double kOpensWithin =
+    0.3;  // fraction of the radius: distance of the thumbs from the axis over solid clay
+constexpr double kLeansOut = 0.25;  // fraction of the depth: outward reach of a hand below a neck
+constexpr double kAsideMm = 205.0;  // a finger farther out is outside the picture
 
 using Hands = std::array<DrawnHand, 2>;
 
-// What places the hands of a finger.
+// The input for placing the hands of a finger.
 struct Guide {
     const pot::Pot& shape;
-    double side;    // of the axis, on which the hands work
-    dvec2 at_mm;    // of the hands: distance, height
-    double gap_mm;  // to the clay
+    double side;    // side of the axis on which the hands work
+    dvec2 at_mm;    // the hands' distance and height
+    double gap_mm;  // distance to the clay
     double radius_mm;
     bool works;
 };
 
-// The ball that stands for a hand, at what it touches, on the side from which it comes.
+// The centre of a hand's ball at its contact, on the side from which it comes.
 dvec3 ball_at(const Guide& guide, Side side, double distance_mm, double y_mm) {
     const double gone_mm = guide.radius_mm + guide.gap_mm;
     switch (side) {
@@ -62,9 +63,9 @@ double on_wall(const Guide& guide) {
     return std::clamp(guide.at_mm.y, kAboveWheelMm, top_mm);
 }
 
-// How far out fingers reach inside at that height: to the wall, or as far as an arm can that comes down
-// through what is narrower above. Behind a shoulder nobody sees whether they touch; through it everybody
-// would.
+// The outward reach of fingers inside at that height: to the wall, or as far as an arm through the narrower
+// opening above allows. Behind a shoulder a missing contact is invisible, but fingers through it would be
+// visible.
 double reach_mm(const pot::Pot& shape, double y_mm) {
     double reach = wall_at(shape, y_mm).inner_mm;
     const auto& inner = shape.inner_mm;
@@ -76,7 +77,7 @@ double reach_mm(const pot::Pot& shape, double y_mm) {
     return reach;
 }
 
-// A palm on the outer face; and, while it works, fingers behind the wall or a second palm across the lump.
+// A palm on the outer face and, while it works, fingers behind the wall or a second palm across the lump.
 void hold_wall(Hands& hands, const Guide& guide) {
     const double y_mm = on_wall(guide);
     const pot::Wall wall = wall_at(guide.shape, y_mm);
@@ -95,7 +96,7 @@ void hold_wall(Hands& hands, const Guide& guide) {
 
 void reach_inside(Hands& hands, const Guide& guide) {
     if (!guide.works) {
-        // Over the mouth, so that it goes straight down.
+        // Above the mouth, so that the hand goes straight down.
         Guide above = guide;
         above.gap_mm = 0.0;
         const double inner_mm = std::max(rim_of(guide.shape).inner_mm - guide.gap_mm, guide.radius_mm);
@@ -126,7 +127,7 @@ void press_rim(Hands& hands, const Guide& guide) {
         ball_at(guide, Side::kTop, 0.5 * (rim.outer_mm + rim.inner_mm), guide.shape.height_mm));
 }
 
-// Off the clay: where the finger is, beside the pot.
+// Off the clay, the hands hover at the finger's place beside the pot.
 void hang_about(Hands& hands, const Guide& guide) {
     const double y_mm = std::max(guide.at_mm.y, kAboveWheelMm);
     const double widest_mm = [&] {
@@ -137,7 +138,7 @@ void hang_about(Hands& hands, const Guide& guide) {
     put(hands[0], guide, Side::kOut, ball_at(guide, Side::kOut, x_mm, y_mm));
 }
 
-// What a finger at that height meets.
+// The outline that a finger at that height meets.
 clay::studio::GripOutline grip_outline(const pot::Pot& shape, double y_mm) {
     constexpr double kWithinMm = 0.5;
     const pot::Wall rim = rim_of(shape);
@@ -166,7 +167,7 @@ void guide_hands(Hands& hands, const haptic::Snapshot& snapshot) {
     hands[0].digs = hands[1].digs = false;
     hands[1].shown = false;
     hands[1].guided = true;
-    // A tool lies on the wall wherever the finger comes from.
+    // A tool is always on the outer face, whichever side the finger comes from.
     const bool holds_tool = hands[0].tool != tool::Tool::kHand;
     const Grip grip = works        ? report.grip
                       : holds_tool ? Grip::kWall
@@ -203,7 +204,7 @@ double lean_at(const pot::Pot& pot, std::span<const float> face, double height_m
 }  // namespace
 
 void meet(DrawnHand& hand, const pot::Pot& pot) {
-    // The kiln and its pots show no hand. Trimming works on dry clay, so the trimmer stays.
+    // A fired pot hides the hands. Trimming works on dry clay, so the trimmer stays.
     hand.shown = hand.shown && (pot.stage == clay::Firing::kWet || hand.tool == tool::Tool::kTrimmer);
     hand.wall_lean = lean_at(pot, hand.side == Side::kIn ? pot.inner_mm : pot.outer_mm, hand.position_mm.y);
     hand.mouth_radius_mm = pot.inner_mm.empty() ? 0.0 : double{pot.inner_mm.back()};

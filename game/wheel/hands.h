@@ -1,6 +1,6 @@
-// Where the hands of a snapshot are seen. The ball of a device is seen where it is. A finger on a screen
-// leads skilled hands: at their work in the clay, or near where a touch would take hold, in the pose that it
-// would begin with. Any thread; pure. mm.
+// Places the hands of a snapshot in the picture. A device's ball is drawn where it is. For a finger on a
+// screen, skilled hands are drawn at their work in the clay, or near the place where a touch would take hold,
+// in its initial pose. Any thread; pure. mm.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace onggi::wheel {
 // Both hands of a snapshot, which must have its pot.
 [[nodiscard]] std::array<DrawnHand, 2> hands_of(const haptic::Snapshot& snapshot);
 
-// Fills in what a hand needs to know of the pot that is seen.
+// Fills in the properties of the visible pot that a hand needs.
 void meet(DrawnHand& hand, const pot::Pot& pot);
 
 }  // namespace onggi::wheel

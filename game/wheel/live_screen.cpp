@@ -299,7 +299,7 @@ Result<void> LiveScreen::wait() {
 
 bool LiveScreen::wait_for_display() {
     if (!swapchain_ || trouble_ || !swapchain_->awaits_showing()) return false;
-    // A display that shows more frames than are drawn is no frame clock.
+    // If the display shows more frames than are drawn, it cannot be the frame clock.
     if (window_->refresh_hz() > frame_rate_hz()) return false;
     if (!beat_.is_asked(jobs::MonotonicClock::now_ns())) return false;
     constexpr std::uint64_t kMostNs = 100'000'000;  // several frames of the slowest display

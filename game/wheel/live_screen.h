@@ -71,7 +71,7 @@ class LiveScreen {
     // The last frame; offscreen only.
     Result<std::vector<std::uint8_t>> read_back();
 
-    // Events since the last call that a person should read, one a line.
+    // Events since the last call for a person to read, one per line.
     [[nodiscard]] std::vector<std::string> take_remarks();
     [[nodiscard]] int mended() const { return mended_; }
 

@@ -85,8 +85,8 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
     return done;
 }
 
-// Another aspect ratio may need other backgrounds. Until they are read, the present ones are cropped to their
-// middle.
+// Another aspect ratio may need other backgrounds. Until they are loaded, the current ones are cropped to
+// their middle.
 void LiveView::Impl::follow_shape() {
     if (auto loaded = backgrounds.take()) {
         for (auto& [camera, background] : loaded->backgrounds)

@@ -42,7 +42,7 @@ struct LiveViewOptions {
 class LiveView {
   public:
     // Creates window, device and pipelines, and draws one warm-up frame with each, so that the first frame is
-    // as fast as any. System lacks: no display (and not headless), no Vulkan device.
+    // as fast as later ones. System lacks: no display (and not headless), no Vulkan device.
     static Result<std::unique_ptr<LiveView>> open(const LiveViewOptions& options);
     ~LiveView();
     LiveView(const LiveView&) = delete;
@@ -55,7 +55,7 @@ class LiveView {
     // State of the window system's gamepads at the last poll; empty when headless.
     [[nodiscard]] std::vector<window::Gamepad> gamepads() const;
     [[nodiscard]] bool close_requested() const;
-    // Why a small still life is shown instead of the room; empty if the room is shown.
+    // The reason why a small still life is shown instead of the room; empty if the room is shown.
     [[nodiscard]] const std::string& workshop_lack() const;
     void set_title(const std::string& title);
     void set_full_screen(bool full_screen);
@@ -68,11 +68,11 @@ class LiveView {
     Result<bool> draw(const haptic::Snapshot& snapshot, double dt_s = 1.0 / 60.0,
                       const render::Overlay* overlay = nullptr);
 
-    // What is shown beside the snapshot: view, evening, hands, tools and pots.
+    // The rest of the picture besides the snapshot: view, evening, hands, tools and pots.
     [[nodiscard]] WheelScene& scene();
 
-    // Sways the camera slowly from side to side while nobody works. Needs the photographed room, and a device
-    // with time for a moving camera, which a processor is not.
+    // Sways the camera slowly from side to side while the wheel is idle. Needs the photographed room, and a
+    // device that is fast enough for a moving camera, which a software device is not.
     void sway(bool sways);
 
     // Waits until the last frame has left the device; its duration is known only then.
@@ -88,7 +88,7 @@ class LiveView {
 
     // The pixel of a place on the wheel; empty behind the eye.
     [[nodiscard]] std::optional<dvec2> project(const dvec3& place_mm) const;
-    // The pixel that it would have in a view with that framing; empty without the photographed room.
+    // The pixel of a place in a view with that framing; empty without the photographed room.
     [[nodiscard]] std::optional<dvec2> project_framed(View view, const Framing& framing,
                                                       const dvec3& place_mm) const;
     // Unit vector from that place to the eye.
@@ -98,8 +98,8 @@ class LiveView {
     [[nodiscard]] int height() const;
     [[nodiscard]] const std::string& device_name() const;
     [[nodiscard]] int device_index() const;  // in the loader's order
-    // Events since the last call that a person should read, one a line: a device that was lost and reopened,
-    // a step of quality.
+    // Events since the last call for a person to read, one per line: a device that was lost and reopened, a
+    // step of quality.
     [[nodiscard]] std::vector<std::string> take_remarks();
     [[nodiscard]] double frame_rate_hz() const;      // the best rate for draw()
     [[nodiscard]] std::string_view quality() const;  // "one software core"

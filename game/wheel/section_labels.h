@@ -12,7 +12,7 @@
 
 namespace onggi::wheel {
 
-// One thickness: of the wall measured level, of the floor measured upright at half its radius.
+// One thickness: a wall's is measured horizontally, the floor's vertically at half its radius.
 struct SectionMeasure {
     bool of_floor = false;
     double height_mm = 0.0;  // middle of the measured ring; half the thickness of the floor
@@ -20,7 +20,7 @@ struct SectionMeasure {
     double outer_mm = 0.0;  // radius of the outer face there
 };
 
-// For a hollow pot: its wall below the rim, above the floor, where it is thinnest, widest and narrowest, and
+// For a hollow pot: its wall below the rim, above the floor, at its thinnest, widest and narrowest place, and
 // in long gaps between those, top down; the floor last. Empty for a solid pot.
 [[nodiscard]] std::vector<SectionMeasure> section_measures(const pot::Pot& pot);
 

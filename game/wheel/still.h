@@ -27,8 +27,8 @@ struct StillOptions {
     std::filesystem::path workshop = {};  // folder of a photographed room; empty: the installed one
     bool beauty =
         false;  // the mean of kBeautySamples pictures: finer edges, soft shadows from the light's full width
-    // Draws as the live window does on a processor, whatever the device: ten times as fast, and coarser: one
-    // sample a pixel, with smoothed outlines.
+    // Draws as the live window does with the CPU backend, on any device: ten times as fast, and coarser: one
+    // sample per pixel, with smoothed outlines.
     bool quick = false;
     bool validation = false;  // with VK_LAYER_KHRONOS_validation; any message is then an error
 };
@@ -43,7 +43,7 @@ class StillCamera {
     StillCamera(const StillCamera&) = delete;
     StillCamera& operator=(const StillCamera&) = delete;
 
-    // What is shown beside the snapshot. take() sets the view and whether hands are shown.
+    // The rest of the picture besides the snapshot. take() sets the view and the visibility of the hands.
     [[nodiscard]] WheelScene& scene();
     // Resets the hands' poses, for a picture of another pot.
     void forget();

@@ -26,7 +26,7 @@ constexpr double kSideChangeMm = 15.0;  // distance beyond the axis before the o
 // room.
 constexpr double kNarrowMm = 46.0;
 constexpr double kWideMm = 52.0;
-// Finger tips that hold the rim under a guiding finger need half of it.
+// Finger tips that hold the rim under a guiding finger need half that width.
 constexpr double kTipsMm = 30.0;
 // A tool at the front of the pot is held from the side, so that it hides nothing.
 constexpr double kMostToFront = 25.0 * kDegree;

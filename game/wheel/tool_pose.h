@@ -12,7 +12,7 @@
 
 namespace onggi::wheel {
 
-// One hand with its tool, as it is seen, and the pot around it.
+// One hand with its tool in the picture, and the pot around it.
 struct DrawnHand {
     dvec3 position_mm{0.0, 260.0, 0.0};  // centre of the contact ball
     double radius_mm = 10.0;
@@ -20,15 +20,15 @@ struct DrawnHand {
     tool::Side side = tool::Side::kFree;
     bool shown = true;
     bool touching = false;
-    // Of the pot that is seen; see meet().
+    // Properties of the visible pot; see meet().
     double wall_lean = 0.0;        // slope dR/dy of the touched face
     double mouth_radius_mm = 0.0;  // of the pot's opening; 0 without one
     double below_rim_mm = 0.0;     // depth of the touch below the rim
-    bool is_second = false;        // the hand that assists the first
-    // Follows a finger on a screen, which may jump: the hand then goes and comes back, and moves more slowly
-    // while it hovers.
+    bool is_second = false;        // the hand assists the first one
+    // The hand follows a finger on a screen, which may jump: the hand then leaves and comes back, and moves
+    // more slowly while it hovers.
     bool guided = false;
-    bool digs = false;  // with the thumbs straight down; `side` is the top
+    bool digs = false;  // the thumbs point straight down; `side` is the top
 };
 
 // A tool to draw.
@@ -48,7 +48,7 @@ class ToolPose {
     void follow(const DrawnHand& hand, double dt_s);
     [[nodiscard]] ToolPicture picture() const;
 
-    // Distance of a hand that comes or goes from the clay, mm; 0 at the clay.
+    // The distance of a coming or leaving hand from the clay, mm; 0 at the clay.
     [[nodiscard]] double away_mm() const { return away_mm_; }
 
   private:

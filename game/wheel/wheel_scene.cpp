@@ -29,8 +29,8 @@ render::LightLevels light_levels(double evening) {
 
 namespace {
 
-// The systems of a frame. Each reads the snapshot and its components, advances what moves by itself, and
-// writes its part of the scene to draw.
+// The systems of a frame. Each reads the snapshot and its components, advances its animations, and writes its
+// part of the scene to draw.
 
 // An idle wheel's picture drifts: slightly closer, so that no area outside the photograph is shown, and from
 // side to side.
@@ -152,7 +152,7 @@ void move_camera(ecs::Registry& registry, FrameContext& context) {
     });
 }
 
-// The camera, and what it may be cut to, without moving it.
+// Extracts the camera, and the views that it may cut to, without moving it.
 void extract_camera(ecs::Registry& registry, FrameContext& context) {
     render::Scene& scene = context.scene;
     const auto in_picture = [&](const render::Background& background, const Framing& framing) {
@@ -234,7 +234,8 @@ void show_still_life(ecs::Registry& registry, FrameContext& context) {
     context.scene.still_life = std::move(still_life);
 }
 
-// One that stands on the wheel, or the loop's clay, alone or with another pot over it.
+// Finds the pot on the wheel: another pot that stands there, or the loop's clay, alone or with another pot
+// over it.
 void find_pot(ecs::Registry& registry, FrameContext& context) {
     const haptic::Snapshot& snapshot = *context.snapshot;
     SeenPot& seen = context.seen;
@@ -253,7 +254,7 @@ void find_pot(ecs::Registry& registry, FrameContext& context) {
     });
 }
 
-// The pot on the wheel becomes the lathe that is drawn.
+// Converts the pot on the wheel to the lathe that is drawn.
 void show_pot(ecs::Registry& registry, FrameContext& context) {
     find_pot(registry, context);
     SeenPot& seen = context.seen;
@@ -263,7 +264,7 @@ void show_pot(ecs::Registry& registry, FrameContext& context) {
     registry.each<Clay>([&](ecs::Entity, Clay& clay) {
         const render::LatheMaterial material =
             seen.material != nullptr ? *seen.material : clay_material(pot.body, pot.stage);
-        // Dry clay has no water left, whatever it had when it was thrown.
+        // Dry clay contains no water, whatever its liquidity was when it was thrown.
         clay.wetness.resize(is_wet ? pot.liquidity.size() : 0);
         std::transform(pot.liquidity.begin(), pot.liquidity.begin() + std::ssize(clay.wetness),
                        clay.wetness.begin(), darkness_of);
@@ -301,7 +302,7 @@ void add_prop(FrameContext& context, ToolModel model, bool left, const mat4& pla
                                    .wetness = context.seen.wetness});
 }
 
-// The height of the wire, while it is seen.
+// The height of the wire while it is visible.
 std::optional<double> wire_mm(const Wire& wire, const FrameContext& context) {
     if (context.seen.is_apart) return std::nullopt;
     if (wire.held_mm) return wire.held_mm;
@@ -309,7 +310,7 @@ std::optional<double> wire_mm(const Wire& wire, const FrameContext& context) {
     return told.wire != tool::Wire::kNone ? std::optional(told.wire_height_mm) : std::nullopt;
 }
 
-// The hands with what they hold, or the ball of the paper's clay, and the shadows of both.
+// Adds the hands with their tools, or the ball of the paper's clay, and the shadows of both.
 void show_hands(ecs::Registry& registry, FrameContext& context) {
     render::Scene& scene = context.scene;
     scene.spheres.clear();
@@ -347,7 +348,7 @@ void show_hands(ecs::Registry& registry, FrameContext& context) {
     });
 }
 
-// What lies about, and the wire.
+// Adds the tools on the bench, the shavings and the wire.
 void show_tools(ecs::Registry& registry, FrameContext& context) {
     bool moves_less = false;
     registry.each<PhotographedRoom>(
@@ -370,20 +371,20 @@ void show_tools(ecs::Registry& registry, FrameContext& context) {
             add_prop(context, ToolModel::kCurl, false, place);
     });
     registry.each<Wire>([&](ecs::Entity, const Wire& wire) {
-        // Across the picture, so that it is seen to pass under the pot.
+        // Across the picture, so that the wire visibly passes under the pot.
         constexpr double kAcross = 0.5 * kPi;
         if (const auto height_mm = wire_mm(wire, context))
             add_prop(context, ToolModel::kWire, false, placed({0.0, *height_mm, 0.0}, kAcross, 0.0));
     });
 }
 
-// In their order: a cut faces the camera, and the pot's clay sticks to the hands.
+// The order matters: a cut faces the camera, and the pot's clay sticks to the hands.
 using System = void (*)(ecs::Registry&, FrameContext&);
 constexpr std::array<System, 6> kSystems{show_camera, show_light, show_still_life,
                                          show_pot,    show_hands, show_tools};
 
-// As assets/workshop/maker/tools.py laid the tools on the bench; the rib, for which it left a gap, leans
-// against the cup.
+// The tools on the bench lie as in assets/workshop/maker/tools.py. The rib, for which the photographs have a
+// gap, leans against the cup.
 struct LyingTool {
     BenchTool tool;
     dvec3 at_mm;
@@ -590,7 +591,7 @@ bool is_model(const std::filesystem::path& room) {
     return room.extension() == ".glb";
 }
 
-// `note`: what of the room's model is not drawn.
+// `note` receives the parts of the room's model that are not drawn.
 Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room, int width_px, int height_px,
                                               std::string& note) {
     const auto with_model = [&](const std::shared_ptr<const Workshop>& workshop,
@@ -601,7 +602,7 @@ Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room,
         return std::make_unique<WheelScene>(workshop, std::move(*model));
     };
     std::filesystem::path folder = room;
-    if (room.empty() || is_model(room)) {  // a model has no light and cameras: use ours
+    if (room.empty() || is_model(room)) {  // a model has no light and cameras: use the workshop's
         auto found = files::find_asset("workshop");
         if (!found) return found.error();
         folder = std::move(*found);
@@ -611,7 +612,7 @@ Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room,
     auto shared = std::make_shared<const Workshop>(std::move(*workshop));
     auto scene = std::make_unique<WheelScene>(shared);
     if (is_model(room)) return with_model(shared, room);
-    // A room that has a model but no photographs yet.
+    // The room has a model, but no photographs yet.
     std::error_code error;
     const bool has_backgrounds = std::filesystem::exists(folder / "plates", error);
     if (!has_backgrounds && std::filesystem::exists(folder / "room.glb", error))

@@ -18,14 +18,14 @@
 
 namespace onggi::wheel {
 
-// The pot that is seen on the wheel in a frame.
+// The pot on the wheel in a frame.
 struct SeenPot {
     const pot::Pot* pot = nullptr;
     const render::LatheMaterial* material = nullptr;  // as in PotApart
     const render::LatheMarks* marks = nullptr;
     dvec2 direction{1.0, 0.0};  // (cos, sin) of the angle turned, counter-clockwise from above
-    bool is_apart = false;      // not the haptic loop's clay alone
-    // Its clay where it sticks to hands and tools.
+    bool is_apart = false;      // true: a pot other than the haptic loop's clay, or with one over it
+    // The colour of its clay that sticks to hands and tools.
     vec3 smear{0.3F};
     float wetness = 0.0F;
 };
@@ -38,7 +38,7 @@ struct FrameContext {
     double dt_s = 0.0;    // since the previous frame; 0: everything is at its goal, as in a still
     render::Scene scene;  // its spans point into the seen pot and the Clay component
     SeenPot seen;
-    pot::Pot stacked;  // the clay and the pot that is held over it
+    pot::Pot stacked;  // the clay with the pot that is held over it
 };
 
 // The light levels at an evening of 0 to 1: the sun goes, the window dims, a warm lamp stays on the wheel.
@@ -77,30 +77,30 @@ class WheelScene {
     // The pot that apply() found on the wheel.
     [[nodiscard]] const SeenPot& seen() const { return context_.seen; }
 
-    // The program's part beside the haptic loop; all of it stays until it is set again.
+    // The program's part of the scene besides the haptic loop; each setting stays until it is changed.
     void show_hands(bool shown);
-    // The program leads both hands itself. Empty: the loop does.
+    // The program moves both hands itself; empty: the haptic loop does.
     void lead_hands(const std::optional<std::array<DrawnHand, 2>>& hands);
-    // The wire is held ready to cut at this height; see Wire.
+    // Holds the wire ready to cut at this height; see Wire.
     void hold_wire(const std::optional<double>& height_mm);
-    // Volume cut off since the trimmer was taken up, and the place of the cut; 0 clears the shavings away.
+    // The volume cut off since the trimmer was picked up, and the place of the cut; 0 removes the shavings.
     void shave(double shaved_mm3, const dvec3& from_mm);
     // Whether the tool lies at its place on the bench.
     void lay_on_bench(ToolModel tool, bool lies_there);
-    // Another pot stands on the wheel from now on (an entity that is not alive), or that entity's pot is
-    // another one. registry().destroy() takes it down again.
+    // Puts another pot on the wheel (if the entity is not alive), or replaces that entity's pot.
+    // registry().destroy() takes it down again.
     void put_on_wheel(ecs::Entity& entity, const PotApart& pot, const OnWheel& on_wheel = {});
 
     // Sets the models of hands and tools; null: balls.
     void set_tools(std::shared_ptr<const render::PropLibrary> library);
-    void forget_hands();             // the next picture poses them as in a first frame
+    void forget_hands();             // the next picture poses them without a transition
     [[nodiscard]] bool has_tools();  // otherwise balls are drawn instead
 
     // The tool's place for a pointer at this pixel, mm; see LiveView::tool_target_mm.
     [[nodiscard]] std::optional<dvec3> tool_target_mm(double x_px, double y_px, int width_px, int height_px);
 
-    // The pixel of a place in the view's camera with that framing; empty without a photographed room, or
-    // behind the eye.
+    // The pixel of a place in the view's camera with that framing; empty behind the eye or without a
+    // photographed room.
     [[nodiscard]] std::optional<dvec2> project_framed(View view, const Framing& framing, int width_px,
                                                       int height_px, const dvec3& place_mm);
     // The camera of a picture of this size.
@@ -124,14 +124,13 @@ class WheelScene {
 // while it reads.
 struct OpenedScene {
     std::unique_ptr<WheelScene> scene;  // never null
-    std::string lack = {};  // why it shows another room, or balls for tools; empty without a fault
-    std::string note = {};  // what of the room's model is not drawn; empty: all is
+    std::string lack = {};  // why it shows another room, or balls for tools; empty if there is no fault
+    std::string note = {};  // parts of the room's model that are not drawn; empty if all are
 };
 
-// `folder`: of a photographed room, or of a room that has only a model (room.glb), or a GLB file itself,
-// which is shown in our light and from our cameras; empty: the installed one. An error never prevents
-// throwing: the scene then shows the installed room, or if that is faulty the small still life, and reports
-// why.
+// `folder`: a photographed room, a room with only a model (room.glb), or a GLB file, which is shown in the
+// workshop's light and from its cameras; empty: the installed room. An error never prevents throwing: the
+// scene then shows the installed room, or if that is faulty the small still life, and reports the reason.
 [[nodiscard]] OpenedScene open_scene(const std::filesystem::path& folder, int width_px, int height_px);
 
 }  // namespace onggi::wheel

@@ -58,7 +58,7 @@ render::Profile splash_pan() {
     return profile;
 }
 
-// The bench under it all: round, thick, of old wood.
+// The bench under the wheel: round, thick, of old wood.
 render::Profile bench() {
     render::Profile profile;
     profile.points = {{640.0F, -106.0F}};
@@ -229,8 +229,8 @@ constexpr std::size_t kMostBytes = std::size_t{128} << 20;
 // A larger part is a wall or a table: drawn from both sides, and too large for the single shadow map.
 constexpr float kThingMm = 1500.0F;
 
-// "wheel", "Wheel.001", "WheelHead" and "wheel_head", but no "wheelchair": the word and what does not go on
-// with it.
+// Matches "wheel", "Wheel.001", "WheelHead" and "wheel_head", but not "wheelchair": no letter of the same
+// word may follow.
 bool is_wheel(std::string_view name) {
     constexpr std::string_view kWord = "wheel";
     const bool has_word = name.size() >= kWord.size() &&

@@ -1,5 +1,4 @@
-// The still life around the wheel, its materials and its light: the choices that shape the picture. Main
-// thread.
+// The still life around the wheel, its materials and its light. Main thread.
 #pragma once
 
 #include <filesystem>
@@ -17,15 +16,15 @@ namespace onggi::wheel {
 // file.
 void furnish(ecs::Registry& registry);
 
-// The same for a photographed workshop: its light, and the surfaces that catch a pot's shadow. They are not
-// drawn themselves: the backgrounds are projected on them.
+// Adds a photographed workshop: its light, and the surfaces that catch a pot's shadow. The surfaces are not
+// drawn: the backgrounds are projected on them.
 void stand_in(ecs::Registry& registry, const Workshop& workshop);
 
 // A room as a glTF model, used while it has no backgrounds: a museum's own room before they are rendered. mm.
 struct RoomModel {
     std::vector<StillPart> parts = {};
     bool has_wheel = false;  // a node or mesh is named "wheel"; otherwise the scene adds its own wheel
-    std::vector<std::string> left_out = {};  // what of the file is not drawn
+    std::vector<std::string> left_out = {};  // parts of the file that are not drawn
 };
 
 // Metres, +Y up, the origin in the middle of the wheel head's top, as assets/workshop/README.md specifies.
@@ -33,7 +32,7 @@ struct RoomModel {
 // Any thread but the haptic one; blocks.
 [[nodiscard]] Result<RoomModel> load_room_model(const std::filesystem::path& file);
 
-// Adds a modelled room in the workshop's light, with our wheel if it has none of its own.
+// Adds a modelled room in the workshop's light, with the scene's own wheel if the model has none.
 void build_room(ecs::Registry& registry, const Workshop& workshop, RoomModel model);
 
 [[nodiscard]] CameraRig throwing_camera();

@@ -169,7 +169,7 @@ TEST(ACutSession, IsPlayedUpToItsLastWholeBlockAndSaysSo) {
 }
 
 // Refused before any window is opened, with or without a supervisor.
-TEST(BadSettingsOfAKiosk, AreRefusedWithTheirLineAndWhatIsAllowed) {
+TEST(BadSettingsOfAKiosk, AreRefusedWithTheirLineAndTheAllowedValues) {
     const std::pair<std::string, std::string> cases[] = {
         {"[visit]\nidle_s = 5\n", "bad.toml, line 2: expected 10 to 600 for idle_s, found 5"},
         {"[staff]\nlock = true\n",

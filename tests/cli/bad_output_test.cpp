@@ -92,7 +92,7 @@ TEST(AnOutput, ThatFailsTakesTheOthersWithIt) {
     EXPECT_EQ(content_of(folder / "p.csv"), "old profile");
 }
 
-TEST(AnOutput, OnARealFullDiskLeavesNothing) {
+TEST(AnOutput, OnARealFullDiskLeavesNoFile) {
     // On a disk of 64 KiB that only the program sees; its files are listed before that disk disappears.
     const TemporaryFolder folder;
     const std::string answer = in_child([&] {
@@ -108,7 +108,7 @@ TEST(AnOutput, OnARealFullDiskLeavesNothing) {
     EXPECT_EQ(answer, "3 says so");
 }
 
-TEST(AnOutput, HasAPlaceOfItsOwn) {
+TEST(AnOutput, HasItsOwnPlace) {
     const TemporaryFolder folder;
     expect_one_line(run_onggi({"throw", kPressAndHold, "--profile", "same.csv", "--forces", "./same.csv"},
                               {.folder = folder.path()}),

@@ -45,7 +45,7 @@ TEST(FilmCommand, ShowsThePotUnderTheGlazeThatIsSaidBeforeOrLater) {
     EXPECT_EQ(picture.images.front().width, 160);
 }
 
-TEST(FilmCommand, RefusesWithOneLineAndWritesNothing) {
+TEST(FilmCommand, RefusesWithOneLineAndWritesNoFile) {
     const TemporaryFolder folder;
     const auto film = [&](std::vector<std::string> words) {
         words.insert(words.begin(), "film");
@@ -75,7 +75,7 @@ TEST(FilmCommand, RefusesWithOneLineAndWritesNothing) {
     EXPECT_EQ(run_onggi({"film", "--help"}).exit_code, 0);
 }
 
-TEST(FilmCommand, WithoutVulkanSaysWhatTheSystemLacks) {
+TEST(FilmCommand, WithoutVulkanReportsTheLack) {
     const TemporaryFolder folder;
     expect_one_line(run_onggi({"film", kSession, "--out", "f.webp"},
                               {.folder = folder.path(),

@@ -100,7 +100,7 @@ TEST(Live, StartsAgainOnAFreshLumpUntilItsTimeIsUp) {
     EXPECT_EQ(stats.at("lumps").get<std::uint64_t>(), (ticks + 400) / 401);
 }
 
-TEST(Live, RefusesWhatItDoesNotKnow) {
+TEST(Live, RefusesUnknownOptions) {
     expect_one_line(run_onggi(with_small_picture({"live", kPressAndHold, "--wait", "spin"})), 2,
                     "--wait: expected hybrid or sleep, found 'spin'");
     for (const char* seconds : {"0", "-1", "nan", "1e99", "soon"}) {
@@ -136,7 +136,7 @@ TEST(Live, RefusesAPlaceForItsStatsBeforeItPlays) {
         "no/such/folder");
 }
 
-TEST(Live, NamesAMissingVulkanDeviceAndWritesNothing) {
+TEST(Live, NamesAMissingVulkanDeviceAndWritesNoFile) {
     const TemporaryFolder folder;
     const ProgramRun run =
         run_onggi(with_small_picture({"live", kPressAndHold, "--stats", "s.json"}),

@@ -144,7 +144,7 @@ TEST_F(PotOnTheCommandLine, IsJoinedToAnotherAndReplaysToTheBit) {
     EXPECT_EQ(content_of(folder_ / "a.csv"), content_of(folder_ / "b.csv"));
 }
 
-TEST_F(PotOnTheCommandLine, RefusesStartsThatAreNone) {
+TEST_F(PotOnTheCommandLine, RefusesInvalidStarts) {
     throw_bowl();
     expect_one_line(onggi({"throw", "collar.csv", "--join", "bowl.onggi"}), 2, "--join requires --on");
     expect_one_line(onggi({"throw", "collar.csv", "--on", "nowhere.onggi"}), 2,

@@ -54,7 +54,7 @@ TEST_F(SeveralDevices, AreNamedAndOneOfThemIsChosen) {
     EXPECT_TRUE(doctor_of("", "device 0: ").ends_with(", chosen")) << "of two that are alike the first";
 }
 
-TEST_F(SeveralDevices, ARequestForNoneOfThemIsOneLineWithAllThereAre) {
+TEST_F(SeveralDevices, AnUnknownRequestIsRefusedInOneLineThatListsThem) {
     const ProgramRun run = draw("2", "p.png");
     expect_one_line(run, 2, "ONGGI_VULKAN_DEVICE '2'");
     EXPECT_NE(run.err.find("0 llvmpipe"), std::string::npos) << run.err;
@@ -63,7 +63,7 @@ TEST_F(SeveralDevices, ARequestForNoneOfThemIsOneLineWithAllThereAre) {
     EXPECT_TRUE(doctor_of("2", "ONGGI_VULKAN_DEVICE '2'").starts_with("lacking"));
 }
 
-TEST_F(SeveralDevices, AreChosenFromWhateverDrawsAndDoctorSaysWhich) {
+TEST_F(SeveralDevices, DoctorReportsTheBackendOfEachChoice) {
     ProgramOptions options = with_request("");
     const auto picture_line = [&](const std::string& backend) {
         const ProgramRun run = run_onggi({"doctor", "--backend", backend}, options);

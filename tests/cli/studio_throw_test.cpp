@@ -37,7 +37,7 @@ class StudioThrow : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(StudioThrow, IsWhatHappensByDefault) {
+TEST_F(StudioThrow, IsTheDefault) {
     expect_silent_success(onggi({"throw", "g.csv", "--profile", "a.csv"}));
     expect_silent_success(onggi({"throw", "g.csv", "--clay", "studio", "--clay-mass", "1000", "--elements",
                                  "2000", "--profile", "b.csv"}));
@@ -80,7 +80,7 @@ TEST_F(StudioThrow, AccountsForEveryCubicMillimetre) {
     EXPECT_TRUE(stats.at("failure").is_null());
 }
 
-TEST_F(StudioThrow, AddsToTheForcesWhatTheWheelAndTheHandsAreAt) {
+TEST_F(StudioThrow, AddsWheelAndHandsToTheTableOfForces) {
     expect_silent_success(onggi({"throw", "g.csv", "--clay-mass", "500", "--forces", "f.csv"}));
     const auto lines = lines_of(content_of(folder_ / "f.csv"));
     ASSERT_EQ(lines.size(), 5002U);

@@ -61,7 +61,7 @@ TEST_F(Throw, WritesStatsOthersCanRead) {
     EXPECT_NEAR(stats.at("clay_volume_mm3").get<double>(), 2.2619e6, 0.02e6);
 }
 
-TEST_F(Throw, WritesEverythingAtOnceAndNothingElse) {
+TEST_F(Throw, WritesAllItsOutputsAndNoOtherFile) {
     expect_silent_success(run_onggi({"throw", kPressAndHold, "--profile", "p.csv", "--forces", "f.csv",
                                      "--export", "pot.glb", "--save", "s.onggi", "--stats", "s.json"},
                                     {.folder = folder_.path()}));
@@ -93,7 +93,7 @@ TEST_F(Throw, GivesTheSameBytesEveryTime) {
     }
 }
 
-TEST_F(Throw, OfASessionIsThatOfItsGesture) {
+TEST_F(Throw, OfASessionEqualsThatOfItsGesture) {
     const ProgramOptions here{.folder = folder_.path()};
     expect_silent_success(run_onggi({"throw", kPressAndHold, "--rate", "400", "--elements", "700", "--save",
                                      "a.onggi", "--forces", "a.csv"},
@@ -124,7 +124,7 @@ TEST_F(Throw, NeedsNoVulkanWithoutAPicture) {
                   {.environment = {"VK_ICD_FILENAMES=/none.json", "VK_DRIVER_FILES=/none.json"}}));
 }
 
-TEST_F(Throw, WithoutVulkanRefusesAPictureAndLeavesNothing) {
+TEST_F(Throw, WithoutVulkanRefusesAPictureAndLeavesNoFile) {
     expect_one_line(run_onggi({"throw", kPressAndHold, "--screenshot", "p.png", "--profile", "p.csv"},
                               {.folder = folder_.path(),
                                .environment = {"VK_ICD_FILENAMES=/none.json", "VK_DRIVER_FILES=/none.json"}}),
@@ -146,7 +146,7 @@ TEST_F(Throw, DrawsAPictureOfTheSizeAsked) {
     EXPECT_EQ(png.substr(12, 12), std::string("IHDR\0\0\0\x50\0\0\0\x30", 12));
 }
 
-TEST_F(Throw, LeavesNothingBehindWhenItIsKilled) {
+TEST_F(Throw, LeavesNoFileWhenKilled) {
     put_file(folder_ / "hour.csv", kGestureHeaderLine + "0,90,100,0,1,10\n3600,61,150,0,1,10\n");
     EXPECT_TRUE(run_onggi_and_kill(
         {"throw", "hour.csv", "--clay", "paper", "--rate", "10000", "--save", "s.onggi", "--forces", "f.csv"},

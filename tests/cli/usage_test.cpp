@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-TEST(Usage, HelpAndVersionAreThereForEveryCommand) {
+TEST(Usage, EveryCommandHasHelpAndVersion) {
     for (const Words& command : {Words{}, Words{"throw"}, Words{"replay"}}) {
         for (const char* asked : {"--help", "--version"}) {
             Words words = command;
@@ -47,7 +47,7 @@ TEST(Usage, UnknownWordsAreRefusedAndNamed) {
     expect_one_line(run_onggi({"throw", "two\nlines", "--bo\x1b[31mgus"}), 2, "--bo\\x1b[31mgus");
 }
 
-TEST(Usage, WhatIsMissingIsNamed) {
+TEST(Usage, MissingArgumentsAreNamed) {
     expect_one_line(run_onggi({"throw"}), 2, "file is required");
     expect_one_line(run_onggi({"replay", "x.onggi"}), 2, "--validate is required");
     expect_one_line(run_onggi({"throw", kPressAndHold, "--rate"}), 2, "--rate");
@@ -70,7 +70,7 @@ TEST(Usage, NumbersOutsideTheirBoundsAreRefused) {
     }
 }
 
-TEST(Usage, WhatIsNotBuiltIsRefusedNamingWhatIs) {
+TEST(Usage, UnsupportedValuesAreRefusedNamingTheSupportedOnes) {
     expect_one_line(run_onggi({"throw", kPressAndHold, "--clay", "porridge"}), 2,
                     "expected studio|paper, found 'porridge'");
     const TemporaryFolder folder;

@@ -58,7 +58,7 @@ TEST_P(Demonstration, ReplaysToTheBitWithinTheTimeAVisitorWatches) {
                              << "; where the clay is meant to differ, see assets/demonstrations/README.md";
 }
 
-TEST_P(Demonstration, LeavesThePotItIsThereForAsASoundSolid) {
+TEST_P(Demonstration, LeavesItsPotAsASoundSolid) {
     auto session = loaded();
     ASSERT_TRUE(session);
     haptic::HapticState& state = session->start.state;

@@ -134,7 +134,7 @@ TEST(CapturedReports, OfAFootPedalSayWhichAreDown) {
 }
 
 // Field values of a ViGEm DualSense sample, at the offsets of the table.
-TEST(CapturedReports, OfADualSenseSayWhatItsSensorsFelt) {
+TEST(CapturedReports, OfADualSenseContainItsSensors) {
     const std::string zeros = " 00 00 00 00";
     const std::string report = "01 80 80 80 80 00 ff 00 08 00 00 00" + zeros +           // to byte 15
                                " 6b 00 07 00 04 00 39 01 bc 25 57 eb 84 ff 6b 01 07" +   // to 32

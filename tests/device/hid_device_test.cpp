@@ -30,7 +30,7 @@ std::unique_ptr<HidDevice> opened(HidKind kind) {
     return device;
 }
 
-TEST(HidList, SaysWhatEachDeviceCanDoOrWhyItIsNotUsed) {
+TEST(HidList, StatesTheAbilityOrRefusalOfEachDevice) {
     MockBus bus;
     MockHid bluetooth = kDualSense;
     bluetooth.node = 9;
@@ -66,7 +66,7 @@ TEST(HidList, SaysWhatEachDeviceCanDoOrWhyItIsNotUsed) {
     EXPECT_EQ(find(keyboard).refusal, "no driver here knows it");
 }
 
-TEST(HidList, IsEmptyWhereNothingIsPluggedIn) {
+TEST(HidList, IsEmptyWithoutDevices) {
     MockBus bus;
     const auto devices = list_hid_devices();
     ASSERT_TRUE(devices);

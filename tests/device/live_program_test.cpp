@@ -208,7 +208,7 @@ TEST_F(LiveAmongDevices, OneDeviceMayBeNamedAndAllOthersStayUntouched) {
     EXPECT_EQ(bus_.at(kDualSense).take_written(), "");
 }
 
-TEST_F(LiveAmongDevices, ANamedDeviceThatIsNotThereIsSaidToBeLacking) {
+TEST_F(LiveAmongDevices, AMissingNamedDeviceIsReported) {
     bus_.plug_in(kPedal);
     const auto refused = [&](const std::string& device, int exit_code, const std::string& reason) {
         test::expect_one_line(

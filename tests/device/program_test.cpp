@@ -27,7 +27,7 @@ void alone_on_the_network() {
     static_cast<void>(test::enter_own_network());
 }
 
-TEST(DevicesCommand, SaysWhatEachDeviceCanDo) {
+TEST(DevicesCommand, StatesTheAbilityOfEachDevice) {
     MockBus bus;
     MockHid keyboard = kPedal;
     keyboard.node = 10;

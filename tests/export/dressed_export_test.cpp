@@ -46,7 +46,7 @@ std::size_t gzipped(const std::vector<std::byte>& bytes) {
     return size;
 }
 
-TEST(DressedPot, IsASoundSolidOfTheClaysVolumeWithinWhatAPhoneBears) {
+TEST(DressedPot, IsASoundSolidOfTheClaysVolumeSmallEnoughForAPhone) {
     for (const StudioSample& pot : samples()) {
         const auto bytes = dressed(pot);
         const auto file = support::read_glb(bytes);
@@ -123,7 +123,7 @@ exporter::PotRings pressed_wall() {
     return rings;
 }
 
-TEST(DentedPot, HasNoNormalAgainstAFaceOfItsOwn) {
+TEST(DentedPot, HasNoNormalAgainstOneOfItsFaces) {
     for (const exporter::PotRings& rings :
          {exporter::rings_of(sample("studio_dented").clay.rings()), pressed_wall()}) {
         for (const bool unwraps : {false, true}) {
@@ -180,7 +180,7 @@ double height_at_row(const std::vector<exporter::PictureRow>& rows, double row) 
     return 0.0;
 }
 
-TEST(DressedPot, WearsWhatWasDrawnOnItWithinTwoMillimetresOfWhereItWasDrawn) {
+TEST(DressedPot, ShowsItsDecorationWithinTwoMillimetresOfTheStrokes) {
     using decoration::stroke_point;
     const StudioSample& pot = sample("studio_cylinder_glazed");
     const exporter::PotRings rings = exporter::rings_of(pot.clay.rings());

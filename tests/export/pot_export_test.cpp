@@ -89,7 +89,7 @@ TEST_P(ExportedPot, StatesItsBoundsExactly) {
     EXPECT_EQ(file.stated_max_m, high);
 }
 
-TEST_P(ExportedPot, TellsWhoMadeItAndItsMeasures) {
+TEST_P(ExportedPot, NamesItsGeneratorAndItsMeasures) {
     const nlohmann::json json = glb().json;
     EXPECT_EQ(json.at("asset").at("version"), "2.0");
     EXPECT_EQ(json["asset"].at("generator"), "Onggi " ONGGI_VERSION);

@@ -95,7 +95,7 @@ TEST(StudioExport, IsTheSolidOfTheStlAs3mf) {
     }
 }
 
-TEST(PrintingNote, IsThereForThinWallsAloneAndSaysWhatSizeHelps) {
+TEST(PrintingNote, IsWrittenOnlyForThinWallsAndNamesASufficientSize) {
     EXPECT_EQ(exporter::printing_note(2.0), "");
     EXPECT_EQ(exporter::printing_note(0.0), "") << "nothing is hollow";
     EXPECT_EQ(

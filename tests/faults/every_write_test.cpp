@@ -81,7 +81,7 @@ class EveryWrite : public testing::Test {
 constexpr std::array kKinds{Kind::kKilled,   Kind::kTorn, Kind::kPowerCut,
                             Kind::kFullOnce, Kind::kFull, Kind::kBroken};
 
-TEST_F(EveryWrite, MayFailOrBeTheLastAndNothingIsLost) {
+TEST_F(EveryWrite, MayFailOrBeTheLastWithoutLoss) {
     const bool all = std::getenv("ONGGI_EVERY_FAULT") != nullptr;
     std::size_t turn = 0;
     for (const Deed& deed : deeds()) {

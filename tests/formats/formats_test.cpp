@@ -54,7 +54,7 @@ TEST(Sessions, OfVersion2AreReadAndOnesThatWereNeverShippedRefusedInOneLine) {
     EXPECT_EQ(record::kMinorVersion, 1) << "a new version wants a sample";
 }
 
-TEST(Settings, OfEveryVersionAreReadAndMeanWhatTheyMeant) {
+TEST(Settings, OfEveryVersionKeepTheirMeaning) {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(sample("settings"))) {
         const std::string text = test::content_of(entry.path());

@@ -108,7 +108,7 @@ TEST_F(Backgrounds, AreReadyWhenTheirLastRowIsOnTheDevice) {
 }
 
 // Shading of a large picture must not appear in a small one whose view excludes the shadow.
-TEST_F(Backgrounds, AreNotShadedByWhatWasSeenInALargerPicture) {
+TEST_F(Backgrounds, AreNotShadedByALargerPicturesMask) {
     render::Scene scene;
     scene.camera = camera();
     scene.background = grey_background(120);

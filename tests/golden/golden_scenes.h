@@ -41,7 +41,7 @@ struct GoldenScene {
     // Brings hands and pot into the scene of a picture, and returns the snapshot that goes with them. Both
     // refer to this one.
     [[nodiscard]] haptic::Snapshot shown(wheel::WheelScene& scene) const;
-    // A picture of it by a camera of its own.
+    // A picture of the pot by a camera of its own.
     [[nodiscard]] Result<asset::Image> drawn_alone(int width_px, int height_px,
                                                    const wheel::StillOptions& options) const;
     // A hash of everything that the picture shows.

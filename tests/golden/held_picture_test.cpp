@@ -64,7 +64,7 @@ class HeldPicture : public support::ValidatedDevice {
 // Far enough for the layers to have been read back.
 constexpr int kFrames = 12;
 
-TEST_F(HeldPicture, LacksNothingOfHandsWhoseHiddenFacesAreLeftOut) {
+TEST_F(HeldPicture, IsCompleteWithoutTheHiddenFacesOfHands) {
     auto chooses = renderer();
     render::RendererDesc desc = chooses->desc();
     desc.draws_hidden_faces = true;
@@ -84,7 +84,7 @@ TEST_F(HeldPicture, LacksNothingOfHandsWhoseHiddenFacesAreLeftOut) {
     }
 }
 
-TEST_F(HeldPicture, ShowsNothingOfTheFramesBefore) {
+TEST_F(HeldPicture, ShowsNoTraceOfEarlierFrames) {
     auto long_used = renderer();
     auto held = target();
     for (int frame = 0; frame < kFrames; ++frame)
@@ -97,7 +97,7 @@ TEST_F(HeldPicture, ShowsNothingOfTheFramesBefore) {
     EXPECT_LE(furthest(held->read_back().value(), other->read_back().value()), kMaskStep);
 }
 
-TEST_F(HeldPicture, TakesNothingForGrantedWhereAnotherHasDrawn) {
+TEST_F(HeldPicture, IsRedrawnWhereAnotherRendererHasDrawn) {
     auto one = renderer();
     auto another = renderer();
     auto shared = target();
@@ -193,7 +193,7 @@ TEST_F(HeldPicture, RestsWhileAScreenComesAndMovesOnWhenItIsGone) {
     EXPECT_GT(furthest(shown->read_back().value(), wanted), 20) << "it moves again";
 }
 
-TEST_F(HeldPicture, SaysWhatTheHostAndTheDeviceTook) {
+TEST_F(HeldPicture, ReportsTheTimeOfHostAndDevice) {
     auto desc = render::live_desc(vk::Offscreen::kFormat, true, kHeight);
     desc.measures_parts = true;
     desc.host_clock = [] {

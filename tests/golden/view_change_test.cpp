@@ -179,7 +179,7 @@ TEST_P(ViewChange, IsRenderedAgainAfterOtherSizes) {
 }
 
 // The overlay over the last picture must not be part of the fade.
-TEST_P(ViewChange, LeavesNothingOfTheOverlayBehind) {
+TEST_P(ViewChange, LeavesNoTraceOfTheOverlay) {
     ui::DrawList list;
     list.add_box({.x = 200.0F, .y = 90.0F, .width = 240.0F, .height = 180.0F}, {.r = 1.0F, .a = 0.8F});
     const render::Overlay box{.list = &list, .atlas_side_px = 64};
@@ -205,7 +205,7 @@ TEST_P(ViewChange, IsCutWithReducedMotionWhenItIsReady) {
 }
 
 // A jump leaves no time to render the view beside frames; it appears at once.
-TEST_P(ViewChange, IsThereAtOnceAfterAJump) {
+TEST_P(ViewChange, IsCompleteAtOnceAfterAJump) {
     opened_.scene->look_at(wheel::View::kLookingIn);
     opened_.scene->jump();
     next();

@@ -135,7 +135,7 @@ MUTATIONS = [
     (15, "the record of what was felt", ("game/haptic/job.cpp", "    record.tool = state_.tool;\n",
                                          "    record.tool = start_.tool;\n"), PROPERTIES),
 
-    # Every check of the gate, and of what is sound.
+    # Every check of the gate, and of sound input.
     (5, "the check of the position for finite", (CHAIN, "    if (!safety::finite(at)) {", "    if (input.dt_s == 77.0) {"),
      "unit_haptics"),
     (5, "the workspace", (CHAIN, "} else if (!safety::is_within(at, limits.workspace_mm)) {",

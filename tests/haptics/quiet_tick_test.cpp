@@ -58,14 +58,14 @@ class Loop {
     bool sent_ = false;
 };
 
-TEST(SafetyProperty13, TheTickOfThePapersClayAsksTheSystemForNothing) {
+TEST(SafetyProperty13, TheTickOfThePapersClayMakesNoSystemCall) {
     Loop loop(HapticState(), std::make_unique<test::ScriptedDevice>());
     const Disturbances found = test::watch([&] { loop.run(); });
     EXPECT_TRUE(found.none()) << found.words();
     EXPECT_GT(loop.seen(), 0U);
 }
 
-TEST(SafetyProperty13, TheTickOfTheStudiosClayAsksTheSystemForNothing) {
+TEST(SafetyProperty13, TheTickOfTheStudiosClayMakesNoSystemCall) {
     Loop loop(test::studio_start(), std::make_unique<test::StudioHand>(1000.0));
     const Disturbances found = test::watch([&] { loop.run(); });
     EXPECT_TRUE(found.none()) << found.words();

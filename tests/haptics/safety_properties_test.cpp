@@ -146,7 +146,8 @@ TEST(SafetyProperty05, AnInvalidInputLatchesAFault) {
     whole.applied_force_n = kPush;
     EXPECT_EQ(last_n(kSafetyChain, {nan, 0.0, 0.0}, resting(), {}, whole, 1), 0.0);
     EXPECT_EQ(last_n(kSafetyChain, kPush, resting(), {}, whole, 8000), 0.0);
-    // Without the gate what is not sound moves nobody either, but nothing stays; and a tool may be anywhere.
+    // Without the gate, unsound input gives no force either, but no fault is latched; and the tool may be
+    // anywhere.
     SafetyState open = engaged();
     const std::vector<SafetyStage> without = chain_without("gate");
     EXPECT_EQ(last_n(without, {nan, 0.0, 0.0}, resting(), {}, open, 1), 0.0);

@@ -69,7 +69,7 @@ double shown_n_per_mm(const DeviceFeel& feel) {
     return device_force(forces, dvec3(0.0), 0.0, true, feel, true).wanted_n.y;
 }
 
-TEST(AForceOverUsb, OscillatesWithTheStudiosClayAsItIsAndNotAsItIsShown) {
+TEST(AForceOverUsb, OscillatesWithTheStudiosClayButNotWithTheLimitedStiffness) {
     const DeviceCapabilities device = stick();
     for (const double rate_hz : {1000.0, 4000.0}) {
         HapticParameters parameters = at(rate_hz);

@@ -240,7 +240,7 @@ TEST(LoopOfADevice, IsAsSlowAndAsLateAsItsBus) {
     EXPECT_LT(stiffest_for(device, 1000.0, 1.0), 0.8 * prompt);
 }
 
-TEST(RejectsClay, BeyondWhatTheMakerAllows) {
+TEST(RejectsClay, StifferThanTheMakerAllows) {
     const auto refused = check_work_on_device(omni_like(), 4000.0, 0.71, 0.002);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message,

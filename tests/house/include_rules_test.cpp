@@ -56,7 +56,7 @@ TEST(House, EveryIncludeIsAllowed) {
     }
 }
 
-TEST(House, EveryHeaderSaysWhatItIsAndIsIncludedOnce) {
+TEST(House, EveryHeaderHasADocstringAndAGuard) {
     for (const auto& [path, text] : sources()) {
         if (!path.ends_with(".h")) continue;
         EXPECT_TRUE(text.starts_with("//")) << path << ": expected a comment that says what this file is";
@@ -331,7 +331,7 @@ TEST(House, TheClayCitesEveryEquationOfThePaper) {
     }
 }
 
-TEST(IncludeRules, CatchWhatTheyForbid) {
+TEST(IncludeRules, CatchForbiddenIncludes) {
     const IncludeRules rules = house_rules();
     const auto count = [&](std::string_view path, std::string_view text) {
         return violations(rules, path, text).size();

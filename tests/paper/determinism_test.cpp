@@ -81,7 +81,7 @@ TEST(Determinism, HoldsAcrossASavedState) {
     }
 }
 
-TEST(Determinism, DoesNotDependOnWhatWasRememberedOfTheShare) {
+TEST(Determinism, DoesNotDependOnTheCachedFraction) {
     // The fraction of Eq. (2) is kept while tool and rate stay: going back and forth must not change a bit.
     const ToolInput large = tool_in_wall(1.0, true, 20.0);
     const ToolInput small = tool_in_wall(1.0, true, 5.0, 150.0);

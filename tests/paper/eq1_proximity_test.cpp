@@ -53,7 +53,7 @@ TEST(Eq1Proximity, IsNotNegativeForASphereThatOnlyMeetsTheWall) {
     EXPECT_EQ(clay.tick(tool_in_wall(1e-3, true), kParameters).contacts, 2);
 }
 
-TEST(Eq1Proximity, FindsWhatVisitingEveryElementFinds) {
+TEST(Eq1Proximity, FindsTheSameElementsAsALoopOverAll) {
     for (const double depth_mm : {0.003, 0.21, 1.0, 7.7, 25.0, 58.0}) {
         for (const double tool_radius_mm : {2.0, 9.97, 40.0}) {
             for (double height_mm = -45.013; height_mm < 250.0; height_mm += 3.71) {

@@ -18,7 +18,7 @@ TEST(Eq3TotalForce, IsTheSumOfItsThreeParts) {
     EXPECT_EQ(forces.total_n(), forces.stiffness_n + forces.viscosity_n + forces.friction_n);
 }
 
-TEST(Eq3TotalForce, IsNothingWithoutContact) {
+TEST(Eq3TotalForce, IsZeroWithoutContact) {
     PaperClay clay;
     clay.tick(tool_in_wall(-5.0, true), {});
     const ContactForces forces = clay.tick(tool_in_wall(-1.0, true), {});

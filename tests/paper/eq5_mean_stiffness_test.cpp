@@ -34,7 +34,7 @@ TEST(Eq5MeanStiffness, Is0Point0654NewtonInTurningClayAnd0Point0648AfterItGaveWa
     EXPECT_NEAR(after.stiffness_n.x / before.stiffness_n.x, 0.99, 1e-5);  // 1 - 1/(c1 r1)
 }
 
-TEST(Eq5MeanStiffness, TendsToTwoThirdsOfKDForShallowTouchesWhateverTheTool) {
+TEST(Eq5MeanStiffness, TendsToTwoThirdsOfKDForShallowTouchesOfAnyTool) {
     for (const double tool_radius_mm : {2.0, 5.0, 10.0, 40.0}) {
         // Small against the tool, yet deep enough for hundreds of these thin elements.
         const double depth_mm = 0.002 * tool_radius_mm;

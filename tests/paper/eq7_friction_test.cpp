@@ -43,7 +43,7 @@ TEST(Eq7Friction, DoublesWithTheSpeedOfTheWheelAndWithTheRadius) {
     EXPECT_NEAR(rough_n, 2.0 * once_n, 1e-12);
 }
 
-TEST(Eq7Friction, IsNothingOffTheClayOrOnAStandingWheel) {
+TEST(Eq7Friction, IsZeroOffTheClayOrOnAStandingWheel) {
     EXPECT_EQ(turning_touch({75.0, 100.0, 0.0}).friction_n, dvec3(0.0));
     PaperClay clay;
     const ContactForces standing = clay.tick(tool_in_wall(1.0, false), {});

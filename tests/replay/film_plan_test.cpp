@@ -22,7 +22,7 @@ TEST(FilmPlan, GoesEvenlyFromTheFirstTickToTheLastAndThenTurnsThePot) {
     }
 }
 
-TEST(FilmPlan, ReachesTheLastTickWhateverTheirNumber) {
+TEST(FilmPlan, ReachesTheLastTickForAnyNumber) {
     for (const std::uint64_t ticks : {std::uint64_t{1}, std::uint64_t{7}, std::uint64_t{79},
                                       std::uint64_t{81}, std::uint64_t{1401}, std::uint64_t{36'000'000}}) {
         for (const double seconds : {1.0, 2.5, 8.0, 60.0}) {

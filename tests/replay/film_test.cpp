@@ -156,7 +156,7 @@ TEST(Film, RejectsALengthAndASizeThatCannotBe) {
     }
 }
 
-TEST(Film, ShowsWhatWasDrawnOnThePotAndNothingOfItBefore) {
+TEST(Film, ShowsTheDecorationOnlyOnTheFinishedPot) {
     const auto last_of = [](bool decorates, asset::Image& making) {
         const auto maker = maker_of(short_film());
         maker->finish_in(*finish::find_glaze("porcelain"));

@@ -90,7 +90,7 @@ TEST(DecoratedSession, SaysThatItsStrokesComeToSomethingElse) {
               "every tick is as recorded, but its strokes give another texture than recorded");
 }
 
-TEST(DecoratedSession, IsRefusedWhereItsStrokesAreNone) {
+TEST(DecoratedSession, IsRefusedWithInvalidStrokes) {
     const TemporaryFolder folder;
     LoadedSession session = loaded(stored("one-finger-250hz.onggi"));
     const haptic::History history(session.start.state, session.start.parameters);

@@ -39,7 +39,7 @@ Start a_start() {
     return start;
 }
 
-TEST(StartState, GoesOnAsIfNothingHadHappened) {
+TEST(StartState, ContinuesIdentically) {
     Start original = a_start();
     const auto bytes = start_state_bytes(original.state, original.parameters);
     auto copy = start_from_bytes(bytes, 1000.0);
@@ -76,7 +76,7 @@ Start a_studio_start(std::uint64_t ticks = 777) {
 }
 
 // With a ball in the clay, with a finger on it, and with a finger that has just let go.
-TEST(StudioStartState, GoesOnAsIfNothingHadHappened) {
+TEST(StudioStartState, ContinuesIdentically) {
     for (const std::uint64_t ticks : {std::uint64_t{555}, std::uint64_t{777}, std::uint64_t{795}}) {
         Start original = a_studio_start(ticks);
         const auto bytes = start_state_bytes(original.state, original.parameters);
@@ -98,7 +98,7 @@ TEST(StudioStartState, GoesOnAsIfNothingHadHappened) {
     }
 }
 
-TEST(RejectsStudioStartState, WhatNoTickCouldHaveLeft) {
+TEST(RejectsStudioStartState, ThatNoTickCouldHaveLeft) {
     const Start original = a_studio_start();
     const auto bytes = start_state_bytes(original.state, original.parameters);
     const auto refusal = [&](std::size_t offset, std::uint8_t byte) {
@@ -159,7 +159,7 @@ TEST_F(DamagedStartState, IsRefusedAtEveryLengthButItsOwn) {
     EXPECT_NE(refusal({}).find("expected at least"), std::string::npos);
 }
 
-TEST_F(DamagedStartState, IsRefusedWithWhatIsWrong) {
+TEST_F(DamagedStartState, IsRefusedWithItsFault) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(refusal(0, std::uint32_t{1}).find("start state, tag"), std::string::npos);
     EXPECT_NE(refusal(4, 0.1).find("c1"), std::string::npos);

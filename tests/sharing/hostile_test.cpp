@@ -125,7 +125,7 @@ TEST_F(HostileClients, SendAnyBytes) {
     expect_honest(served_, code_);
 }
 
-TEST_F(HostileClients, ThatAreSlowOrSilentHoldNothing) {
+TEST_F(HostileClients, ThatAreSlowOrSilentAreCutOff) {
     const double begun = now_s();
     std::vector<HttpClient> silent;
     for (int i = 0; i < 20; ++i)

@@ -72,7 +72,7 @@ TEST_F(KioskFilmTest, IsWholeOnceItsGlazeIsKnown) {
     EXPECT_FALSE(fs::exists(place_));
 }
 
-TEST_F(KioskFilmTest, ComesToNothingWithoutASessionOrAGlazeOrAProgram) {
+TEST_F(KioskFilmTest, FailsWithoutASessionAGlazeOrAProgram) {
     EXPECT_FALSE(film_.begin(folder_.path() / "none.onggi"));
     std::ofstream(folder_.path() / "bad.onggi") << "no session";
     ASSERT_TRUE(film_.begin(folder_.path() / "bad.onggi"));
@@ -92,7 +92,7 @@ TEST_F(KioskFilmTest, ComesToNothingWithoutASessionOrAGlazeOrAProgram) {
     EXPECT_FALSE(nobody.is_in_the_making());
 }
 
-TEST_F(KioskFilmTest, IsDroppedWithWhoMakesItByTheNext) {
+TEST_F(KioskFilmTest, IsDroppedWithItsProcessByTheNext) {
     ASSERT_TRUE(film_.begin(session()));
     const std::vector<int> first = makers();
     ASSERT_EQ(first.size(), 1U);

@@ -145,7 +145,7 @@ double least(const std::vector<Times>& turns, double Times::*time) {
     return found;
 }
 
-TEST(Phones, TwoHundredAtOnceTakeNothingFromTheWheelNorFromThePicture) {
+TEST(Phones, TwoHundredAtOnceDelayNeitherTheWheelNorThePicture) {
     ServedOutbox served;
     const std::string code = served.put(pot_of_real_size());
     const auto files = everything_in(served.box() / code);

@@ -16,7 +16,7 @@
 namespace onggi::test {
 namespace {
 
-TEST(ShareProgram, RefusesInOneLineWhatItCannotServe) {
+TEST(ShareProgram, RefusesInvalidOptionsInOneLine) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "box");
     const std::string box = (folder / "box").string();
@@ -123,7 +123,7 @@ TEST(ShareProgram, ReadsTheSettingsAndForgetsThem) {
     EXPECT_GT(looked, 100'000U);
 }
 
-TEST(ShareProgram, CanReachNothingButTheOutbox) {
+TEST(ShareProgram, CanReachOnlyTheOutbox) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "box");
     put_file(folder / "box/pot", "a pot");

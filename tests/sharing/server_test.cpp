@@ -20,7 +20,7 @@ std::string unpacked(const std::string& packed) {
     return gunzipped(std::as_bytes(std::span(packed)), kMost);
 }
 
-TEST(ShareServer, GivesAPotToWhoHasItsCode) {
+TEST(ShareServer, ServesAPotByItsCode) {
     ServedOutbox served;
     const sharing::SharedPot pot = support::full_pot("one");
     const std::string code = served.put(pot);
@@ -68,7 +68,7 @@ TEST(ShareServer, GivesRangesAndHeads) {
     EXPECT_EQ(client.answer().body, content_of(served.box() / code / "pot.3mf"));
 }
 
-TEST(ShareServer, SaysKindlyThatThereIsNoPot) {
+TEST(ShareServer, HasAFriendlyPageForAMissingPot) {
     ServedOutbox served;
     const std::string withdrawn = served.put(support::full_pot("one"));
     const std::string expired = served.put(support::full_pot("two"), from_now(1));
@@ -105,7 +105,7 @@ TEST(ShareServer, KeepsAllOverARestartOfTheProgram) {
     EXPECT_EQ(get(port.number(), "/" + code + "/").status, 200) << again.printed();
 }
 
-TEST(ShareServer, CountsPagesThroughAPipeAndNothingElse) {
+TEST(ShareServer, CountsPagesThroughAPipe) {
     const TemporaryFolder folder;
     auto reader = sharing::CounterReader::open(folder / "counter");
     ASSERT_TRUE(reader) << reader.error().message;
@@ -122,7 +122,7 @@ TEST(ShareServer, CountsPagesThroughAPipeAndNothingElse) {
                                                           {sharing::ShareEvent::kModelTaken, 1}}));
 }
 
-TEST(ShareServer, ServesNothingButWhatLiesInTheOutbox) {
+TEST(ShareServer, ServesOnlyTheOutbox) {
     ServedOutbox served;
     const std::string code = served.put(support::full_pot("one"));
     // An intruder has written to the outbox: links and pipes are not followed.

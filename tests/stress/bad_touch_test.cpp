@@ -75,7 +75,7 @@ TEST_F(BadTouch, LetsGoAndTakesTheNext) {
     EXPECT_TRUE(kiosk.until([&] { return !presses(); })) << "its release was lost once";
 }
 
-TEST_F(BadTouch, IsNoneWhileAMouseOnlyPasses) {
+TEST_F(BadTouch, IsNotAMouseThatOnlyPasses) {
     for (int x = -120; x < 120; x += 4) {
         point_at({static_cast<double>(x), 25.0, 0.0});
         kiosk.frame();

@@ -132,7 +132,7 @@ Cost told_all_the_time(std::chrono::milliseconds write_takes) {
     return cost;
 }
 
-TEST(ABlockedDevice, CostsTheTickNothing) {
+TEST(ABlockedDevice, DoesNotDelayTheTick) {
     Cost quick = told_all_the_time(0ms);
     Cost blocked = told_all_the_time(5ms);
     // If the tick waited for the I/O thread, one in seven would take up to 5 ms, and nearly half of all

@@ -224,7 +224,7 @@ TEST_F(Decorators, SeeTheirStrokeUnderTheFingerInTheVeryFrame) {
     kiosk.frame();
 }
 
-TEST_F(Decorators, FindWhatTheyDrewAfterAPowerCut) {
+TEST_F(Decorators, FindTheirStrokesAfterAPowerCut) {
     ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
     draw(between({at(-0.5, 0.2), at(0.4, 0.2)}));
     draw(between({at(-0.5, 0.0), at(0.4, -0.1)}));

@@ -78,7 +78,7 @@ TEST_F(FailedPot, GivesWayToNewClay) {
     EXPECT_TRUE(stays_on_the_wheel(60)) << "the old clay was taken for the new";
 }
 
-TEST_F(FailedPot, IsFiredAndKeptAsItIs) {
+TEST_F(FailedPot, IsFiredAndKeptUnchanged) {
     begin();
     spin_it_apart();
     ASSERT_TRUE(kiosk.press(Button::kKeepSlump));

@@ -74,7 +74,7 @@ TEST(MailboxUnderStress, NeverGoesBack) {
     writer.join();
 }
 
-TEST(SpscRingUnderStress, LosesNothingAndKeepsTheOrder) {
+TEST(SpscRingUnderStress, LosesNoElementAndKeepsTheOrder) {
     constexpr std::uint64_t kValues = 500'000;
     for (const std::size_t capacity : {std::size_t{2}, std::size_t{64}, std::size_t{16384}}) {
         SpscRing<std::uint64_t> ring(capacity);

@@ -90,7 +90,7 @@ TEST_F(Camera, FadesOverIntoThePot) {
     EXPECT_GT(frames_of_change(Button::kLookIn), 6);
 }
 
-TEST_F(Camera, CutsForWhoAskedForLessMotion) {
+TEST_F(Camera, CutsWithReducedMotion) {
     begin(true);
     EXPECT_EQ(frames_of_change(Button::kLookIn), 1);
     EXPECT_EQ(frames_of_change(Button::kLookIn), 1);

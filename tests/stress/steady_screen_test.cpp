@@ -38,7 +38,7 @@ class SteadyScreen : public testing::Test {
     UnseenKiosk kiosk{gallery.path()};
 };
 
-TEST_F(SteadyScreen, StaysWhileNothingThatIsSeenChanges) {
+TEST_F(SteadyScreen, StaysWithoutAVisibleChange) {
     kiosk.touch();
     expect_steady(Screen::kChoose);
     ASSERT_TRUE(kiosk.press(Button::kTarget, 0));

@@ -68,7 +68,7 @@ class Trimming : public testing::Test {
     std::mt19937 chance{3};
 };
 
-TEST_F(Trimming, TakesWhatItSaysOffThePotThatIsKept) {
+TEST_F(Trimming, RemovesTheShownMassFromTheKeptPot) {
     kiosk.look("trim-1");
     const double before_g = on_wheel_g();
     const double before_mm = wall_at(*kiosk.snapshot().pot, 6.0).outer_mm;
@@ -104,7 +104,7 @@ TEST_F(Trimming, NeverCutsThroughHoweverHardAVisitorPresses) {
     EXPECT_EQ((*pot)->failure().cause, clay::studio::Cause::kNone);
 }
 
-TEST_F(Trimming, IsTakenBackAndNothingBeforeIt) {
+TEST_F(Trimming, CanBeUndoneButNotTheThrowing) {
     const double before_g = on_wheel_g();
     shave(8.0, 5.0);
     ASSERT_GT(kiosk.state().trimming.taken_g, 2);

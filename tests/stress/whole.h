@@ -54,7 +54,7 @@ struct Found {
     std::uint64_t ticks = 0;
 };
 
-// What the next start will find. Works on a copy, because reading consumes it.
+// Returns the visit that the next start will find. Works on a copy, because reading consumes it.
 inline Found expect_whole_visit(const std::filesystem::path& gallery, const std::filesystem::path& copy,
                                 const haptic::HapticState& start,
                                 const haptic::HapticParameters& parameters) {

@@ -76,7 +76,7 @@ TEST(Assist, AHandSetIntoAThickWallRaisesNoChimney) {
     }
 }
 
-TEST(Assist, AHandThatTremblesSqueezesNothing) {
+TEST(Assist, ATremblingHandDoesNotSqueeze) {
     Bench bench({.mass_g = 1000.0});
     open_up(bench);
     const StudioClay before = bench.clay;
@@ -183,7 +183,7 @@ TEST(Assist, AWallHeldByBothIsCarriedOutwardAndNotSqueezed) {
     }
 }
 
-TEST(Assist, TwoHandsOfOnesOwnCarryWhatTheyHold) {
+TEST(Assist, TwoRealHandsCarryTheWall) {
     Bench bench({.mass_g = 1000.0, .off_centre_mm = 0.0}, {45.0, 8.0, 12.0, 100.0, 1000});
     bench.input.second.present = true;
     const double squeezed = 0.5;  // by both together

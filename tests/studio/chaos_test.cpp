@@ -101,7 +101,7 @@ TEST(Chaos, TheLedgerErrorIsExactlyZeroAfterAMillionTicks) {
 
 // Fifty seeds, each for as many ticks as a check has time for: a million between them. ONGGI_CHAOS_TICKS sets
 // how many each gets; README.md says how to give each a million.
-TEST(Chaos, FiftySeedsLoseNothingEither) {
+TEST(Chaos, FiftySeedsLoseNoClay) {
     const char* wanted = std::getenv("ONGGI_CHAOS_TICKS");
     const int ticks = wanted != nullptr ? std::stoi(wanted) : kTicksASeed;
     Wildness seen;

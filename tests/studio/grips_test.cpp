@@ -111,7 +111,7 @@ TEST(Grips, ThrowTheSamePotAtEveryRate) {
     }
 }
 
-TEST(Grips, KeepTheClayWholeWhateverAFingerDoes) {
+TEST(Grips, KeepTheClayValidForAnyFinger) {
     std::mt19937_64 random(11);
     const auto uniform = [&](double least, double most) {
         return std::uniform_real_distribution<double>(least, most)(random);

@@ -4,7 +4,7 @@
 namespace onggi::clay::studio {
 namespace {
 
-TEST(Flow, AHeldDepthFallsToASharePerTimeWhateverTheRate) {
+TEST(Flow, AHeldDepthDecaysIndependentlyOfTheRate) {
     for (const double rate : {500.0, 1000.0, 8000.0}) {
         Bench bench({.mass_g = 2000.0, .off_centre_mm = 0.0}, {60.0, 60.0, 100.0, 100.0, 1000}, rate);
         // One tau at the strength of 13 kPa is 0.1 s: set the strength to what the body has.

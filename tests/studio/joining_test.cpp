@@ -1,4 +1,4 @@
-// Joining two pots rim to rim: what is preserved, turned over and cut out; the joined pot can be thrown on.
+// Joining two pots rim to rim: what stays, is turned over and is cut out; the joined pot can be thrown on.
 #include "game/clay/studio/joining.h"
 
 #include <algorithm>
@@ -150,7 +150,7 @@ TEST(Joining, LeavesTheSeamALittleVisible) {
     EXPECT_NEAR(rings.wall_mm(rings.ring_at(where)), 6.8, 0.02);
 }
 
-TEST(Joining, EasesRimsThatDifferAndNothingFartherAway) {
+TEST(Joining, BlendsDifferentRimsOnlyNearTheSeam) {
     const StudioClay lower = bowl(52.0, 6.0, 60.0);
     const StudioClay upper = bowl(48.0, 5.0, 60.0);
     const auto pot = join_pots(lower, upper, {.ridge_mm = 0.0});
@@ -238,7 +238,7 @@ std::string refusal(const StudioClay& lower, const StudioClay& upper, const Join
     return pot.error().message;
 }
 
-TEST(Joining, RefusesWhatDoesNotMeet) {
+TEST(Joining, RefusesRimsThatDoNotMeet) {
     const StudioClay good = bowl(50.0, 6.0, 60.0);
     EXPECT_NE(refusal(StudioClay({.mass_g = 500.0}), good).find("the lower pot: expected an open rim"),
               std::string::npos);

@@ -262,7 +262,7 @@ TEST(Slump, DryHandsTearAThinWetWallOff) {
     expect_sound(bench.clay);
 }
 
-TEST(Water, TheSpongeWetsWhatItTouchesAndHandsGrowSlippery) {
+TEST(Water, TheSpongeWetsTheTouchedClayAndFrictionFalls) {
     Bench bench({.mass_g = 500.0, .off_centre_mm = 0.0}, {45.0, 6.5, 12.0, 80.0, 800});
     bench.at(54.5, 50.05);
     const auto rubbing = [&] { return bench.tick().hand; };

@@ -31,7 +31,7 @@ TEST(Lump, IsALowDomeOfTheMassAskedForALittleOffCentre) {
     expect_sound(clay);
 }
 
-TEST(Lump, RejectsWhatIsNoLump) {
+TEST(Lump, RejectsAnInvalidLump) {
     EXPECT_FALSE(check(StudioLump{.mass_g = 0.0}));
     EXPECT_FALSE(check(StudioLump{.mass_g = 1e9}));
     EXPECT_FALSE(check(StudioLump{.liquidity_index = std::nan("")}));

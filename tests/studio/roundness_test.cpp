@@ -20,7 +20,7 @@ Bench lump_off_centre(double e) {
     return bench;
 }
 
-TEST(Centring, ASteadyHandAtTheSurfaceCentresByHalvesOfItsTime) {
+TEST(Centring, ASteadyHandAtTheSurfaceCentresAtHalfTheRate) {
     Bench bench = lump_off_centre(3.0);
     bench.at(59.0, kHandHeight);
     const double expected[] = {3.0, 1.80, 1.09, 0.66, 0.40, 0.24};  // 3 exp(-t/(2 tau_c)): half of each turn
@@ -31,7 +31,7 @@ TEST(Centring, ASteadyHandAtTheSurfaceCentresByHalvesOfItsTime) {
     EXPECT_NEAR(bench.outer_at(kHandHeight), 49.25, 0.1) << "centred, not coned away";
 }
 
-TEST(Centring, AHandTwoMillimetresAwayOnlyMeetsWhatReachesIt) {
+TEST(Centring, AHandTwoMillimetresAwayTouchesOnlyClayInReach) {
     Bench bench = lump_off_centre(3.0);
     bench.at(62.0, kHandHeight);
     bench.hold(10.0);

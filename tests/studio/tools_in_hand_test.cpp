@@ -166,7 +166,7 @@ TEST(ToolsInHand, LeaveAThrownPotAsTallAndAsWideInside) {
     }
 }
 
-TEST(ToolsInHand, AFingerFarFromTheClayMovesNothing) {
+TEST(ToolsInHand, AFingerFarFromTheClayHasNoEffect) {
     Finger finger = rough_pot();
     const double before_mm = roughness_mm(finger.clay, 45.0, 85.0);
     const double height_mm = finger.clay.height_mm();

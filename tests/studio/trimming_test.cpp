@@ -63,7 +63,7 @@ TEST(Trimming, NeverLeavesAWallUnderThreeMillimetres) {
     expect_sound(bench.clay);
 }
 
-TEST(Trimming, GoesFurtherWhereNothingIsForgiven) {
+TEST(Trimming, GoesFurtherOnAnUnforgivingWheel) {
     Bench bench = thick_pot(false);
     shave(bench, 45.0, 30.0);
     EXPECT_LT(bench.wall_at(45.0), kTrimmedWallMm);

@@ -7,7 +7,7 @@ namespace {
 
 using Builder = HidDescriptorBuilder;
 
-// What the makers differ in.
+// The differences between makers.
 struct Maker {
     std::uint8_t set_effect, condition, constant, operation, block_free, control, gain_report;  // outputs
     std::uint8_t state;                                                                         // input

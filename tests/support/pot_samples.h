@@ -25,8 +25,8 @@ PotSample vase(int element_count);
 // left untouched, and the edges between.
 PotSample pressed_lump(int element_count);
 
-// What the bundled gesture assets/gestures/vase.csv throws out of the paper's clay at 1000 Hz. Reads that
-// file; throws std::runtime_error if it cannot.
+// The pot that the gesture assets/gestures/vase.csv throws from the paper's clay at 1000 Hz. Reads that file;
+// throws std::runtime_error if it cannot.
 PotSample thrown_vase();
 
 // All of them: the thrown vase, a straight lump, vases of 100, 2000 and 200000 elements, a neck at the 2 mm

@@ -34,7 +34,7 @@ struct ScriptedHid {
     int waited_ms = 0;
 
     void report(std::string_view text) { queue.push_back(hex(text)); }
-    // What was sent since the last call.
+    // The reports sent since the last call.
     std::vector<std::string> take_sent() { return std::exchange(sent, {}); }
 };
 

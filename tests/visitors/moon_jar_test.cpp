@@ -99,7 +99,7 @@ Jar make_jar(const heritage::Target& target, std::uint64_t seed) {
     return made;
 }
 
-TEST(MoonJar, IsMadeByFourOfFiveWhoTry) {
+TEST(MoonJar, IsMadeByFourOfFiveVisitors) {
     constexpr int kCount = 20;
     constexpr double kLeastMl = 500.0;
     const auto targets = heritage::load_targets(test::in_checkout("assets/heritage"));

@@ -86,7 +86,7 @@ class ADisplay : public testing::Test {
     jobs::FramePacer<> pacer_{clock_, 60.0};
 };
 
-TEST_F(ADisplay, GivesTheBeatWhateverTheOwnClockSays) {
+TEST_F(ADisplay, IsTheFrameClockInsteadOfTheProgramsOwn) {
     for (const int rate_hz : {40, 45, 76}) {
         setenv("ONGGI_DISPLAY_HZ", std::to_string(rate_hz).c_str(), 1);
         draw(10);
@@ -94,7 +94,7 @@ TEST_F(ADisplay, GivesTheBeatWhateverTheOwnClockSays) {
     }
 }
 
-TEST_F(ADisplay, ThatIsOffHoldsUpNothingAndIsFollowedAgainWhenItIsOn) {
+TEST_F(ADisplay, ThatIsOffDelaysNoFrameAndIsFollowedAgainOnceItIsOn) {
     setenv("ONGGI_DISPLAY_HZ", "40", 1);
     setenv("ONGGI_DISPLAY_IS_OFF", "1", 1);
     const double began_s = jobs::MonotonicClock::now_s();

@@ -18,11 +18,11 @@ namespace {
 using hid::kMs;
 
 constexpr std::int64_t kTryAgainNs = 2000 * kMs;
-constexpr int kLongestWaitUs = 1000;  // a round of the loop: how late a message may be said
+constexpr int kLongestWaitUs = 1000;  // a round of the loop: the largest delay of a message
 
 }  // namespace
 
-// The library calls back from within its loop, on the same thread.
+// libwebsockets calls the callback from within its loop, on the same thread.
 struct InverseClient::Impl {
     Impl(InverseLink& link, const InverseOptions& with) : session(link, with), options(with) {}
 
@@ -32,9 +32,9 @@ struct InverseClient::Impl {
     lws* socket = nullptr;
     lws_sorted_usec_list_t timer{};
     bool is_open = false;
-    std::string taken;  // of a message that comes in parts
+    std::string taken;  // the received parts of a fragmented message
     std::string to_say;
-    std::vector<unsigned char> frame;  // with the library's room before it
+    std::vector<unsigned char> frame;  // with the space that the library needs in front
     std::string trouble;
     std::int64_t now_ns = 0;
     std::optional<std::int64_t> next_try_ns;
@@ -72,7 +72,7 @@ int InverseClient::Impl::called(lws* socket, lws_callback_reasons reason, void* 
         case LWS_CALLBACK_CLIENT_WRITEABLE:
             return self->may_write();
         case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:
-            // Nobody there, as on any machine without the service: no trouble worth a word.
+            // Nothing listens, as on any machine without the service: not worth a log line.
             self->disconnected({});
             return 0;
         case LWS_CALLBACK_CLIENT_CLOSED:
@@ -127,7 +127,7 @@ void InverseClient::Impl::disconnected(const std::string& why) {
     next_try_ns = now_ns + kTryAgainNs;
 }
 
-// The loop waits for its next timer, however far that is: this one keeps a round short.
+// The loop waits until its next timer; this timer keeps a round short.
 void InverseClient::Impl::woken(lws_sorted_usec_list_t* /*timer*/) {}
 
 void InverseClient::Impl::run_loop_once() {
@@ -146,7 +146,7 @@ std::int64_t InverseClient::round(std::int64_t now_ns) noexcept {
     Impl& my = *impl_;
     my.now_ns = now_ns;
     if (my.context == nullptr) {
-        lws_set_log_level(0, nullptr);  // what matters goes into the status
+        lws_set_log_level(0, nullptr);  // errors go into the status
         lws_context_creation_info info{};
         info.port = CONTEXT_PORT_NO_LISTEN;
         info.protocols = protocols_with(&Impl::called).data();
@@ -196,10 +196,10 @@ constexpr dvec3 kStartMm{110.0, 60.0, 0.0};  // outside the lump
 constexpr double kSilenceS = 0.05;
 constexpr double kNoiseMm = 1.5;
 
-// What its stiffness is judged by (stability.h). From its maker's public description: that forces are
-// newtons, and that it answers each message with one, so that the rate is ours. All else is assumed, until
-// somebody measures one: a message waits up to a period on either side of the service; the arm is as light as
-// a small stylus and as free as hardly any (both are harder to steady); its encoders are no finer than such a
+// The parameters of its stability check (stability.h). Its maker's public description states that forces are
+// in newtons and that it answers each message with one, so the client sets the rate. The rest is assumed and
+// not measured: a message waits up to one period on either side of the service; the arm is as light as a
+// small stylus and has little friction (both make it less stable); its encoders are no finer than such a
 // stylus's.
 constexpr double kServicePeriods = 2.0;
 constexpr double kMovingKg = 0.045;
@@ -243,7 +243,7 @@ HandSample InverseDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const bool was_here = is_here_;
     is_here_ = input.is_live && silence_s_ <= kSilenceS;
     is_moving_ = is_here_ && sense_.moved_to(input.place_mm);
-    // Back again, it goes on from where the tool was left, wherever the hand has been meanwhile.
+    // After a reconnection the tool continues from where it was, wherever the hand is now.
     if (is_here_ && !was_here) offset_mm_ = sample_.position_mm - input.place_mm;
     if (is_here_) sample_.position_mm = input.place_mm + offset_mm_;
     return sample_;

@@ -1,6 +1,6 @@
-// The Haply Inverse3 as the rest of the program sees any device: three axes of force, through the service of
-// its maker on this machine (a WebSocket on 127.0.0.1). It may come and go at any time. It renders all of Eq.
-// (3) to (7), as no joystick can.
+// The Haply Inverse3 as a HapticDevice: three axes of force, through its maker's service on this machine (a
+// WebSocket on 127.0.0.1). It may be plugged in and out at any time. It renders all of Eq. (3) to (7), which
+// no joystick can.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace onggi::haptics {
 namespace haply {
 
 // The socket to the Inverse service: a WebSocket client (libwebsockets) as the work of one I/O thread. It
-// tries every two seconds to connect, and says and takes what the session wants.
+// tries to connect every two seconds, and exchanges messages for the session.
 class InverseClient final : public jobs::IoWork {
   public:
     InverseClient(InverseLink& link, const InverseOptions& options);
@@ -36,7 +36,7 @@ class InverseDevice final : public HapticDevice {
     explicit InverseDevice(const haply::InverseOptions& options = {});
     ~InverseDevice() override { close(); }
 
-    // Never waits for the service. Error: no thread.
+    // Does not wait for the service. Error: the thread cannot start.
     Result<void> open() override;
     // Leaves the device without force.
     void close() noexcept override { thread_.stop(); }
@@ -61,12 +61,12 @@ class InverseDevice final : public HapticDevice {
     haply::InverseClient client_;
     jobs::IoThread thread_;
     // Haptic thread only.
-    dvec3 offset_mm_;  // from the cursor's place to the tool's
+    dvec3 offset_mm_;  // from the cursor's position to the tool's
     HandSample sample_;
     std::uint64_t last_heartbeat_ = 0;
     double silence_s_ = 0.0;
     double force_fraction_ = 0.0;
-    bool is_new_ = false;  // a message came since the read before
+    bool is_new_ = false;  // a message came since the previous read
     bool is_here_ = false;
     bool is_moving_ = false;
     MotionSense sense_;

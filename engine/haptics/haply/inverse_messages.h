@@ -40,15 +40,15 @@ struct InverseState {
     dvec3 cursor_m{0.0};
 };
 
-// Empty for a message without an Inverse3, such as before one is plugged in. Error: bad input, if it is not
-// JSON, the device's identity is invalid, or the position is incomplete or out of the device's reach.
+// Empty for a message without an Inverse3, for example before one is plugged in. Error: bad input, if it is
+// not JSON, the device's identity is invalid, or the position is incomplete or out of the device's reach.
 [[nodiscard]] Result<std::optional<InverseState>> inverse_state(std::string_view message);
 
 // A force in N on the cursor until the next message; the service answers each message with the state.
 // `force_name`: "vector" since 3.5, "values" before. The first message also names this program.
 [[nodiscard]] std::string force_message(std::string_view device_id, const dvec3& force_n,
                                         std::string_view force_name, bool is_first);
-// Asks for the state without any force.
+// Requests the state without any force.
 [[nodiscard]] std::string probe_message(std::string_view device_id, bool is_first);
 
 }  // namespace onggi::haptics::haply

@@ -12,7 +12,7 @@ using hid::kMs;
 
 constexpr double kMmPerM = 1000.0;
 constexpr double kNsPerS = 1e9;
-// The service may lose a message; then it is sent again.
+// The service may lose a message, so it is repeated after this time.
 constexpr std::int64_t kSayAgainNs = 100 * kMs;
 constexpr std::int64_t kSilenceNs = 2000 * kMs;
 // The poll interval while no device is plugged in.

@@ -42,7 +42,7 @@ struct InverseLink {
     jobs::Mailbox<SpaceInput> input;       // I/O thread to haptic thread
     jobs::Mailbox<SpaceOrder> order;       // haptic thread to I/O thread
     jobs::Mailbox<hid::HidStatus> status;  // I/O thread to main thread
-    // Watchdog to I/O thread: how often it asked for zero force because the haptic thread hangs.
+    // Watchdog to I/O thread: the number of requests for zero force because the haptic thread hangs.
     std::atomic<std::uint32_t> silences{0};
 };
 
@@ -64,12 +64,12 @@ class InverseSession {
     // Takes a complete message. Error: it is not from an Inverse service; the caller closes the socket and
     // calls closed().
     Result<void> take(std::string_view message, std::int64_t now_ns);
-    // The message to send now; empty: none is due. A zero force for the watchdog is sent at once, even if the
-    // last message was not answered.
+    // Returns the message to send now; empty if no message is due. A zero force for the watchdog is sent at
+    // once, even if the last message was not answered.
     [[nodiscard]] std::string next_message(std::int64_t now_ns);
     // The message to send before closing the socket: zero force.
     [[nodiscard]] std::string last_message() const;
-    // The socket was closed. `why` is for users; empty: there is no service.
+    // The socket was closed. `why` is for users; empty if there is no service.
     void closed(const std::string& why);
     // The service has not answered within the timeout: reconnect.
     [[nodiscard]] bool is_silent(std::int64_t now_ns) const;

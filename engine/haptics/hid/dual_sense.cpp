@@ -23,7 +23,7 @@ static_assert(kRadioBytes <= kMaxReportBytes);
 constexpr std::uint8_t kOff = 0x05;
 constexpr std::uint8_t kFeedback = 0x21;
 
-// The output report's bytes and the bits that make them valid.
+// The positions in the output report, and the bits that mark them as valid.
 constexpr std::size_t kValid0 = 1;
 constexpr std::size_t kValid1 = 2;
 constexpr std::size_t kWeakMotor = 3;
@@ -33,7 +33,7 @@ constexpr std::size_t kLeftTrigger = 22;
 constexpr std::size_t kValid2 = 39;
 constexpr std::size_t kLightSetUp = 42;
 constexpr std::size_t kRed = 45;
-constexpr std::uint8_t kRumbleValid = 0x03;  // bit 0 plain rumble, bit 1 not the audio haptics
+constexpr std::uint8_t kRumbleValid = 0x03;  // bit 0: plain rumble; bit 1: not the audio haptics
 constexpr std::uint8_t kRightTriggerValid = 0x04;
 constexpr std::uint8_t kLeftTriggerValid = 0x08;
 constexpr std::uint8_t kLightValid = 0x04;
@@ -47,7 +47,7 @@ DualSenseTouch touch_at(std::span<const std::uint8_t> report, std::size_t at) no
             .y = static_cast<std::uint16_t>((report[at + 2] >> 4U) | (report[at + 3] << 4U))};
 }
 
-// One bit for each zone in use, low byte first, then three bits for each zone: its strength minus one.
+// One bit for each used zone, low byte first, then three bits for each zone: its strength minus one.
 TriggerEffect by_zone(std::uint8_t mode, const std::array<std::uint8_t, kTriggerZones>& strengths) noexcept {
     std::uint32_t zones = 0;
     std::uint32_t levels = 0;

@@ -58,10 +58,10 @@ struct DualSenseState {
     std::uint8_t left_trigger_zone = 0;
     bool right_trigger_loaded = false;
     bool left_trigger_loaded = false;
-    std::uint8_t right_effect = 0;  // what the pad runs: 0 other, 1 feedback, 2 weapon, 3 vibration
+    std::uint8_t right_effect = 0;  // effect that the pad runs: 0 other, 1 feedback, 2 weapon, 3 vibration
     std::uint8_t left_effect = 0;
     int battery_percent = 0;
-    std::uint8_t charging = 0;  // 0 discharging, 1 charging, 2 full, more: a fault
+    std::uint8_t charging = 0;  // 0 discharging, 1 charging, 2 full; larger: a fault
 };
 
 // Parses input report 1 over USB (64 bytes with its id) or 0x31 over Bluetooth (78 bytes with its checksum).
@@ -72,7 +72,7 @@ struct DualSenseState {
 constexpr std::size_t kTriggerZones = 10;
 constexpr std::uint8_t kStrongestZone = 8;
 
-// What a trigger does along its travel: mode and ten parameters. Only the effects that the maker uses: others
+// The effect of a trigger along its travel: mode and ten parameters. Only effects that the maker uses: others
 // can damage the mechanism.
 struct TriggerEffect {
     std::array<std::uint8_t, 11> bytes{};

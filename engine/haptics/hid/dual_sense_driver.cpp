@@ -45,8 +45,8 @@ TriggerEffect trigger_for_wall(const ForceOrder& order, double press_mm,
             : mapping.stiffness_n_per_mm;
     const auto wall = local_wall(order, stiffness);
     if (!wall || !wall->is_outside)
-        return trigger_off();  // the trigger presses inwards and can only resist that
-    const double rest_mm = order.tool_mm.x + press_mm;  // the tool's radius with the trigger let go
+        return trigger_off();  // the trigger presses inwards and can only resist forces outwards
+    const double rest_mm = order.tool_mm.x + press_mm;  // the tool's radius with the trigger released
     std::array<std::uint8_t, kTriggerZones> strengths{};
     for (std::size_t zone = 0; zone < kTriggerZones; ++zone) {
         const double travel = (static_cast<double>(zone) + 0.5) / static_cast<double>(kTriggerZones);
@@ -86,7 +86,7 @@ DeviceCapabilities DualSenseDriver::capabilities() const {
 Result<void> DualSenseDriver::start(const HidDeviceInfo& device, HidPort& port) {
     is_by_radio_ = device.bus == HidBusType::kBluetooth;
     if (is_by_radio_) {
-        // Over Bluetooth it sends short reports until its calibration is read.
+        // Over Bluetooth, the pad sends short reports until its calibration is read.
         std::array<std::uint8_t, kCalibrationBytes> calibration{kCalibration};
         if (auto asked = port.get_feature(calibration); !asked) return asked.error();
     }
@@ -101,7 +101,7 @@ Result<void> DualSenseDriver::start(const HidDeviceInfo& device, HidPort& port) 
                                          .end_start_up_light = true}));
 }
 
-// A pad that is there and refuses to be told still moves the tool. It is told again at the next occasion.
+// A pad that refuses the report still moves the tool, so the report is repeated at the next occasion.
 Result<void> DualSenseDriver::tell(HidPort& port, const Report& report) {
     auto sent = port.write(is_by_radio_ ? by_radio(report, sequence_++).view() : report.view());
     if (sent || !port.is_there()) return sent;
@@ -176,8 +176,8 @@ Result<void> DualSenseDriver::send(HidPort& port, const ForceOrder& order, std::
 }
 
 void DualSenseDriver::stop(HidPort& port) noexcept {
-    // Otherwise the pad would keep its resistance. A failure means that it is unplugged, and then it forgets
-    // it.
+    // Without this report the pad would keep its resistance. If it fails, the pad is unplugged and has lost
+    // the resistance.
     (void)tell(port, dual_sense_report({.right_trigger = trigger_off(),
                                         .left_trigger = trigger_off(),
                                         .rumble = DualSenseOrders::Rumble{},

@@ -78,9 +78,8 @@ class HidDevice final : public HapticDevice {
     std::uint64_t ticks_ = 0;
 };
 
-// Stops the force of every device that is plugged in, whichever process set it: for the supervisor of a
-// program that has died. Opens, stops and closes each; may take some 100 ms. Returns the number of devices
-// stopped.
+// Stops the force of every plugged-in device, whichever process set it: for the supervisor of a program that
+// has died. Opens, stops and closes each device; may take some 100 ms. Returns the number of devices stopped.
 int let_go_of_all(hid::HidBus& bus);
 int let_go_of_all();  // on the real bus
 

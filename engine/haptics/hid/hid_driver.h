@@ -1,6 +1,5 @@
-// What one kind of device is to its I/O thread: how it is begun, heard, told and left in peace. The drivers
-// know bytes and mm; who calls them, when, and what happens when a device goes away is hid_session.h's
-// affair.
+// The driver of one kind of device, used by its I/O thread: start, reports in, forces out, stop. Drivers
+// translate between bytes and mm; hid_session.h decides when to call them and handles removal.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +16,20 @@ class HidDriver {
   public:
     virtual ~HidDriver() = default;
 
-    // Any thread; what does not depend on whether one is plugged in.
+    // Any thread; independent of whether a device is plugged in.
     [[nodiscard]] virtual DeviceCapabilities capabilities() const = 0;
 
-    // The rest: the I/O thread. start: a device has just been opened; what an earlier one left is forgotten.
-    // Error: it cannot be used, and stop() has been called.
+    // All others: the I/O thread. start: a device has just been opened; resets the driver's state. Error: the
+    // device cannot be used, and stop() has been called.
     virtual Result<void> start(const HidDeviceInfo& device, HidPort& port) = 0;
-    // Every report, in order.
+    // Called for every report, in order.
     virtual void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept = 0;
-    // What all the reports so far say of the hand. is_live false: silent for longer than this device ever is.
+    // The hand's input after all reports so far. is_live is false if the device has been silent for longer
+    // than a working one would be.
     [[nodiscard]] virtual DeviceInput input(std::int64_t now_ns) const noexcept = 0;
-    // Tells the device, where something has changed or is due. The force has passed every limit. An error:
-    // the device is gone.
+    // Sends what has changed or is due. The force has passed all limits. Error: the device is gone.
     virtual Result<void> send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) = 0;
-    // All forces off, whatever happens; the device may be gone already.
+    // Turns all forces off; ignores errors, since the device may be gone.
     virtual void stop(HidPort& port) noexcept = 0;
 };
 

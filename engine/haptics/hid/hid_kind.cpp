@@ -18,7 +18,7 @@ constexpr Usage kMultiAxisController = usage(0x01, 0x08);
 constexpr std::uint16_t kForcePage = 0x0f;
 
 constexpr std::array<KnownDevice, 32> kKnownDevices{{
-    // Logitech sold the early ones; its vendor number alone could be any mouse.
+    // Logitech sold the early models; its vendor number alone could be any mouse.
     {0x046d, 0xc603, HidKind::kSpaceMouse},  // SpaceMouse Plus XT
     {0x046d, 0xc605, HidKind::kSpaceMouse},  // CadMan
     {0x046d, 0xc606, HidKind::kSpaceMouse},  // SpaceMouse Classic
@@ -75,7 +75,7 @@ bool has_collection(const ReportDescriptor& descriptor, Usage wanted) {
                        [&](const Collection& collection) { return collection.usage == wanted; });
 }
 
-// A model newer than the list, recognised by its descriptor.
+// Whether the descriptor is that of a SpaceMouse newer than the list.
 bool is_newer_space_mouse(const HidDeviceInfo& device, const ReportDescriptor& descriptor) {
     const bool is_another =
         std::find(kNotSpaceMice.begin(), kNotSpaceMice.end(), device.product_id) != kNotSpaceMice.end();
@@ -83,8 +83,8 @@ bool is_newer_space_mouse(const HidDeviceInfo& device, const ReportDescriptor& d
            has_collection(descriptor, kMultiAxisController);
 }
 
-// Whether this interface of a known device is the one to drive: a receiver has a mouse's or a keyboard's
-// beside the axes, under the same numbers. Without a descriptor the numbers decide.
+// Whether this interface of a known device is not the one to drive: a receiver also has a mouse's or a
+// keyboard's interface under the same numbers. Without a descriptor the numbers decide.
 bool is_other_interface(const HidDeviceInfo& device, const Result<ReportDescriptor>& descriptor) {
     if (device.report_descriptor.empty() || !descriptor) return false;
     const auto has_input = [&](Usage wanted) {

@@ -1,4 +1,4 @@
-// Selects the driver of a HID device, or says why there is none. Pure; any thread. Sources: vendor and
+// Selects the driver of a HID device, or states why there is none. Pure; any thread. Sources: vendor and
 // product numbers of 3Dconnexion as in spacenavd's and PySpaceMouse's public lists, Sony's as in Linux's
 // hid-playstation; force-feedback joysticks by their report descriptor alone.
 #pragma once
@@ -27,12 +27,12 @@ struct KnownDevice {
 // are only for the udev rules.
 [[nodiscard]] std::span<const KnownDevice> known_devices() noexcept;
 
-// The udev rule that opens such a device to the user at the machine and to the group plugdev. One rule for
-// each device, never a whole vendor: a keyboard's keys can be read through its hidraw node.
-// assets/udev/70-onggi.rules holds that of each known device.
+// The udev rule that opens such a device to the user at the machine and to the group plugdev. One rule per
+// device and never a whole vendor, because a keyboard's keys can be read through its hidraw node.
+// assets/udev/70-onggi.rules holds the rules of all known devices.
 [[nodiscard]] std::string udev_rule(std::uint16_t vendor_id, std::uint16_t product_id);
-// The same for one that is connected by Bluetooth, which has no USB device above its node. Only a DualSense
-// is driven that way.
+// The rule for a device that is connected by Bluetooth, which has no USB device above its node. Only a
+// DualSense is driven that way.
 [[nodiscard]] std::string bluetooth_rule(std::uint16_t vendor_id, std::uint16_t product_id);
 
 }  // namespace onggi::haptics::hid

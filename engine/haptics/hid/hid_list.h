@@ -1,5 +1,5 @@
-// The HID devices that are plugged in, what each can do here, and why one is not used. Main thread or an I/O
-// thread; may block for some milliseconds.
+// Lists the plugged-in HID devices with their use here, or the reason why a device is not used. Main thread
+// or an I/O thread; may block for some milliseconds.
 #pragma once
 
 #include <cstdint>
@@ -28,11 +28,11 @@ struct HidDeviceInfo {
     std::uint16_t product_id = 0;
     bool may_open = false;  // this user may read and write the device node
     HidBusType bus = HidBusType::kUnknown;
-    std::vector<std::uint8_t> report_descriptor = {};  // empty where it cannot be read
+    std::vector<std::uint8_t> report_descriptor = {};  // empty if it cannot be read
     // Derived from the above (hid_kind.h).
     HidKind kind = HidKind::kUnknown;
     std::string can = {};      // one line: its use here; empty for an unknown device
-    std::string refusal = {};  // one line: why it is not used; empty where it is
+    std::string refusal = {};  // one line: why it is not used; empty if it is used
     std::string remedy = {};   // one line: how to fix that; empty if there is no fix
 };
 

@@ -22,15 +22,15 @@ struct HidStatus {
     enum class State : std::uint8_t {
         kAbsent,   // not plugged in
         kReady,    // in use
-        kRefused,  // plugged in, but not to be used: `message` says why
-        kFailed,   // opened, but it did not do what it should: `message` says what
+        kRefused,  // plugged in but not usable: see `message`
+        kFailed,   // opened but failed: see `message`
     };
     State state = State::kAbsent;
-    std::string name = {};          // of the device, where there is one
+    std::string name = {};          // of the device, if there is one
     std::string path = {};          // its node
     std::string message = {};       // one line; empty when absent or ready
     bool is_heard = false;          // ready, and its input is not stale
-    std::uint32_t buttons = 0;      // bit 0 the first; their meaning depends on the driver
+    std::uint32_t buttons = 0;      // bit 0 is the first; their meaning depends on the driver
     std::uint64_t times_found = 0;  // the number of openings so far
 };
 
@@ -38,13 +38,13 @@ struct HidLink {
     jobs::Mailbox<DeviceInput> input;  // I/O thread to haptic thread
     jobs::Mailbox<ForceOrder> force;   // haptic thread to I/O thread
     jobs::Mailbox<HidStatus> status;   // I/O thread to main thread
-    // Watchdog to I/O thread: how often it asked for zero force because the haptic thread hangs.
+    // Watchdog to I/O thread: the number of requests for zero force because the haptic thread hangs.
     std::atomic<std::uint32_t> silences{0};
 };
 
 struct HidSessionOptions {
     HidKind kind = HidKind::kUnknown;
-    std::string only = {};  // the one node to use; empty: any of the kind
+    std::string only = {};  // use only this node; empty: any of the kind
     ForceGateLimits force;
 };
 
@@ -65,12 +65,12 @@ class HidSession final : public jobs::IoWork {
 
   private:
     void search(std::int64_t now_ns);
-    // Opens the device and starts its driver. Returns ready, or why not.
+    // Opens the device and starts its driver. Returns ready, or the reason of the failure.
     [[nodiscard]] HidStatus begin(const HidDeviceInfo& device);
     void exchange(std::int64_t now_ns);
-    // Goes over to the first of them that says something.
+    // Switches to the first rival that reports.
     void hear_rivals(std::int64_t now_ns);
-    // False: the device is gone.
+    // Returns false if the device is gone.
     [[nodiscard]] bool hear(std::int64_t now_ns);
     void lose(std::int64_t now_ns);
     void publish(const DeviceInput& input);
@@ -83,7 +83,7 @@ class HidSession final : public jobs::IoWork {
     ForceGate gate_;
 
     std::unique_ptr<HidPort> port_;
-    // Other nodes of the kind, heard until the one in use says something: of a receiver's several, the one
+    // Other nodes of the kind, read until the one in use reports: a receiver has several, and only the one
     // that a hand moves is wanted.
     struct Rival {
         HidDeviceInfo info;
@@ -94,7 +94,7 @@ class HidSession final : public jobs::IoWork {
     std::uint64_t heartbeat_ = 0;
     std::uint64_t refreshed_ = 0;
     std::uint32_t silences_ = 0;
-    std::optional<std::int64_t> next_search_ns_;  // none: at once
+    std::optional<std::int64_t> next_search_ns_;  // empty: search at once
     std::int64_t next_presence_ns_ = 0;
 };
 

@@ -10,8 +10,8 @@
 namespace onggi::haptics::hid {
 namespace {
 
-// How long silence counts as a still hand, for a stick that may report changes only: no hand holds a 16-bit
-// sensor to the last bit for longer.
+// The time for which silence counts as a still hand, for a stick that may report only changes: no hand holds
+// a 16-bit sensor to the last bit for longer.
 constexpr std::int64_t kStillNs = 1000 * kMs;
 // The timeout of a stick that reports all the time.
 constexpr std::int64_t kJoystickSilenceNs = 100 * kMs;
@@ -99,7 +99,8 @@ Result<void> PidDriver::begin(HidPort& port) {
         port.pause_ms(kResetPauseMs);
     }
     if (auto sent = write(port, device_control(*layout_, PidUsage::kEnableActuators)); !sent) return sent;
-    (void)write(port, device_gain(*layout_, 1.0));  // without it the device has its own, which is no more
+    // without it the device uses its own gain, which is not higher
+    (void)write(port, device_gain(*layout_, 1.0));
 
     struct Request {
         PidUsage type;

@@ -21,10 +21,10 @@
 
 namespace onggi::haptics::hid {
 
-// Finds out from a device's reports whether it reports all the time or only changes. No descriptor says so,
-// and it decides what silence means: a still hand, or a failed device. One thread at a time; no allocation.
+// Detects from a device's reports whether it reports continuously or only changes. No descriptor states it,
+// and it decides whether silence means a still hand or a failed device. One thread at a time; no allocation.
 //
-// A device that sends the same report twice in a row reports all the time, and its silence is a failure. A
+// A device that sends the same report twice in a row reports continuously, and its silence is a failure. A
 // device that reports again after a long silence reports only changes: some firmwares repeat the last report
 // once or twice and then rest. Until either is known, silence counts as a still hand, for a time that the
 // driver limits.
@@ -41,8 +41,8 @@ class ReportHabit {
         was_heard_ = true;
         silent_rounds_ = 0;
     }
-    // Call in every round of the I/O thread: silence is counted in rounds that read the device, so a delayed
-    // thread is no silence.
+    // Call in every round of the I/O thread: silence is counted in rounds that read the device, so that a
+    // delayed thread does not count as silence.
     void round() noexcept { silent_rounds_ = std::min(silent_rounds_ + 1, kLongRounds); }
 
     [[nodiscard]] bool reports_all_the_time() const noexcept { return repeats_ && !rests_; }
@@ -96,7 +96,7 @@ class PidDriver final : public HidDriver {
     };
 
     Result<void> begin(HidPort& port);
-    // Empty: the device has no room for it.
+    // Empty if the device has no room for the effect.
     Result<std::optional<Effect>> load(HidPort& port, PidUsage type, Axis axis);
     [[nodiscard]] bool can_show_a_wall() const noexcept;
     Result<void> start_effects(HidPort& port);
@@ -123,8 +123,8 @@ class PidDriver final : public HidDriver {
     ReportHabit habit_;
     std::int64_t last_start_ns_ = 0;
     std::int64_t last_told_ns_ = 0;
-    bool is_stopped_ = false;  // by starvation
-    bool is_started_ = false;  // last_start_ns_ and last_told_ns_ mean something
+    bool is_stopped_ = false;  // stopped because orders ran out
+    bool is_started_ = false;  // last_start_ns_ and last_told_ns_ are valid
 };
 
 }  // namespace onggi::haptics::hid

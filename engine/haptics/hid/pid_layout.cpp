@@ -18,9 +18,9 @@ struct Need {
     Usage field;
     std::string_view name;
 };
-// Without these no force can be created, set or stopped. Everything else may be missing: reset and enabling
-// too, which a device that is always on leaves out. Linux's hid-pidff needs more: gain, pool and block free,
-// trigger and direction.
+// Without these no force can be created, set or stopped. All others may be missing, even reset and enabling,
+// which a device that is always on omits. Linux's hid-pidff needs more: gain, pool and block free, trigger
+// and direction.
 constexpr std::array<Need, 12> kNeeds{{
     {PidUsage::kCreateEffect, usage(PidUsage::kConstantForceType), "the effect type of Create New Effect"},
     {PidUsage::kBlockLoad, usage(PidUsage::kBlockIndex), "the block index of Block Load"},

@@ -101,25 +101,24 @@ class PidLayout {
     [[nodiscard]] Usage collection_of(PidUsage report) const noexcept;
 
     ReportDescriptor descriptor_;
-    // Several firmwares name the list alone, without the report around it: Linux's hid-pidff looks for no
-    // more.
+    // Several firmwares have only the list, without the report around it; Linux's hid-pidff accepts that too.
     PidUsage device_control_ = PidUsage::kDeviceControlReport;
 };
 
-// The stick's state from its reports: -1 to 1, X to the right, Y towards the hand, as the HID usage tables
-// have it; buttons from bit 0.
+// The stick's state from its reports: -1 to 1, X to the right, Y towards the hand, as in the HID usage
+// tables; buttons from bit 0.
 struct StickState {
     dvec2 deflection{0.0};
     std::uint32_t buttons = 0;
 };
-// Takes an input report; false: it does not carry the axes, the state is as before.
+// Takes an input report. Returns false, with the state unchanged, if it does not contain the axes.
 bool take_stick_report(const PidLayout& layout, std::span<const std::uint8_t> report,
                        StickState& state) noexcept;
 
 // The device's status from a PID State report; empty for any other report.
 struct PidDeviceState {
     bool actuators_enabled = true;  // assumed on if the device does not say
-    bool safety_switch_on = true;   // off: somebody pressed the emergency stop
+    bool safety_switch_on = true;   // false: the emergency stop is pressed
 };
 [[nodiscard]] std::optional<PidDeviceState> pid_device_state(const PidLayout& layout,
                                                              std::span<const std::uint8_t> report) noexcept;

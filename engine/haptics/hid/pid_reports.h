@@ -10,7 +10,7 @@
 
 namespace onggi::haptics::hid {
 
-constexpr std::int64_t kLoopForever = 255;  // "infinite" in an 8-bit loop count; held to the field's range
+constexpr std::int64_t kLoopForever = 255;  // "infinite" in an 8-bit loop count; clamped to the field's range
 
 // The common part of every effect.
 struct PidEffect {

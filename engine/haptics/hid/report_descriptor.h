@@ -78,8 +78,8 @@ class ReportDescriptor {
     [[nodiscard]] const std::vector<Collection>& collections() const noexcept { return collections_; }
     [[nodiscard]] bool numbers_reports() const noexcept { return numbers_reports_; }
 
-    // Bytes of a report as hidapi hands it over or takes it: the id byte counts where reports are numbered.
-    // 0: there is no such report.
+    // The size of a report as hidapi passes it, including the id byte if reports are numbered. 0: there is no
+    // such report.
     [[nodiscard]] std::size_t report_bytes(ReportKind kind, std::uint8_t id) const noexcept;
 
     // The first element with the usage `wanted` in a field inside a collection of usage `inside` (0:

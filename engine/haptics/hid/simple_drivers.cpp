@@ -71,8 +71,8 @@ dvec2 space_mouse_rate_mm_s(const SpaceMouseState& state, const SpaceMouseMappin
 
 namespace {
 
-// At rest a SpaceMouse is silent after a few zeros; pushed, it reports every 8 to 16 ms. Pushed and silent
-// for so long, it is no longer there, or its release was lost.
+// At rest a SpaceMouse falls silent after a few zeros; pushed, it reports every 8 to 16 ms. After this much
+// silence while pushed, the device is gone or its release was lost.
 constexpr std::int64_t kSpaceMouseSilenceNs = 100 * kMs;
 constexpr std::uint32_t kFirstButton = 1;
 
@@ -85,8 +85,7 @@ DeviceCapabilities SpaceMouseDriver::capabilities() const {
 Result<void> SpaceMouseDriver::start(const HidDeviceInfo& /*device*/, HidPort& port) {
     state_ = {};
     wheel_turns_ = false;
-    (void)port.write(
-        space_mouse_lamp(true).view());  // an ornament: one that cannot be switched refuses no hand
+    (void)port.write(space_mouse_lamp(true).view());  // a failure is ignored: the lamp is only decoration
     return {};
 }
 
@@ -103,14 +102,14 @@ DeviceInput SpaceMouseDriver::input(std::int64_t now_ns) const noexcept {
     input.is_fresh = state_.at_rest() || heard_ns_ == now_ns;
     input.rate_mm_s = space_mouse_rate_mm_s(state_, mapping_);
     input.button = wheel_turns_;
-    // Twisted to the right it turns faster; about the axis that points down, a positive turn.
+    // A twist to the right is positive about the axis that points down, and speeds the wheel up.
     input.change_rev_min_s = mapping_.fastest_change_rev_min_s * shaped_axis(state_.rotation[2], mapping_);
     input.buttons = state_.buttons;
     return input;
 }
 
 void SpaceMouseDriver::stop(HidPort& port) noexcept {
-    (void)port.write(space_mouse_lamp(false).view());  // a lamp left on is all that a failure costs
+    (void)port.write(space_mouse_lamp(false).view());  // a failure only leaves the lamp on
 }
 
 DeviceCapabilities VecPedalDriver::capabilities() const {
@@ -127,7 +126,7 @@ void VecPedalDriver::take_report(std::span<const std::uint8_t> report, std::int6
 }
 
 DeviceInput VecPedalDriver::input(std::int64_t /*now_ns*/) const noexcept {
-    // It reports changes only: silence means nothing, and a removal is told by the port.
+    // It reports changes only: silence is normal, and the port detects a removal.
     DeviceInput input;
     input.is_live = input.is_fresh = true;
     input.button = state_.any();

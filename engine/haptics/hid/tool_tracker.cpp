@@ -26,8 +26,9 @@ HandSample ToolTracker::moved(const DeviceInput& input, double dt_s) noexcept {
                               kSlowestRevMin, kFastestRevMin);
     }
     const bool has_travelled = input.travelled_mm != travelled_mm_;
-    travelled_mm_ = input.travelled_mm;  // what came while it was not live is lost, and does not make a jump
-    // What the hand says of itself, wherever the tool is: a stick's place, a trigger's press, a push.
+    travelled_mm_ =
+        input.travelled_mm;  // travel while the input was not live is dropped, which avoids a jump
+    // The hand's own motion, independent of the tool: a stick's position, a trigger's press, a push.
     const bool pushes = input.motion == DeviceInput::Motion::kRate && input.rate_mm_s != dvec2(0.0);
     const bool has_moved = sense_.moved_to({input.place_mm.x, input.place_mm.y, input.press_mm});
     hand_moves_ = pushes || has_moved || has_travelled || input.buttons != last_buttons_;

@@ -1,5 +1,5 @@
-// From what a device says of the hand to where the tool is: the haptic thread's half of a HID device. Pure;
-// no allocation, no clock: time is the sum of the ticks' steps. mm, s.
+// Converts a device's hand input to a tool position: the haptic thread's half of a HID device. Pure; no
+// allocation and no clock (time is the sum of the ticks' steps). mm, s.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@ class ToolTracker {
         : reach_(reach),
           place_mm_(reach.within({reach.start_radius_mm, reach.start_height_mm})) {}
 
-    // The tool after dt_s. While the input is not live - said so, or its heartbeat stands still - the tool
-    // stays where it is and the button is up.
+    // The tool after dt_s. While the input is not live, because it is marked so or its heartbeat stands
+    // still, the tool stays where it is and the button is up.
     [[nodiscard]] HandSample moved(const DeviceInput& input, double dt_s) noexcept;
     [[nodiscard]] bool input_is_live() const noexcept { return is_live_; }
-    // About the last moved(): the place was refreshed since the one before; a beating heart alone is the I/O
-    // thread's, not the device's.
+    // Whether the device refreshed the position between the last two calls of moved(); the heartbeat alone
+    // only shows that the I/O thread runs.
     [[nodiscard]] bool was_refreshed() const noexcept { return was_refreshed_; }
-    // About the last moved(): the person did something, a press of a button included.
+    // Whether the hand moved or pressed a button in the last moved().
     [[nodiscard]] bool hand_moves() const noexcept { return is_live_ && hand_moves_; }
-    // The tool was brought here; a hand that says how fast goes on from there.
+    // Another hand has moved the tool here; rate control continues from there.
     void put_at(const dvec3& position_mm) noexcept {
         place_mm_ = reach_.within({position_mm.x + press_mm_, position_mm.y});
     }
@@ -33,20 +33,20 @@ class ToolTracker {
   private:
     // Rounds of the I/O thread are some ms apart, writes included.
     static constexpr double kSilenceS = 0.05;
-    // A stick that is plugged in somewhere inside the work draws the tool there at this speed, instead of
-    // tearing it through at once. Faster than a hand works.
+    // When a stick is plugged in while deflected, the tool moves to its position at this speed instead of
+    // jumping through the work. Faster than a hand works.
     static constexpr double kFastestMmS = 600.0;
 
     static constexpr double kUsualRevMin = 120.0;
     static constexpr double kSlowestRevMin = 20.0;
     static constexpr double kFastestRevMin = 240.0;
-    // A held stick trembles by less, and a trigger at rest too.
+    // More than the noise of a held stick or of a trigger at rest.
     static constexpr double kNoiseMm = 1.5;
 
     ToolReach reach_;
     dvec2 place_mm_;  // radius, height, without the press
     double press_mm_ = 0.0;
-    dvec2 travelled_mm_{0.0};  // of the input's sum, what is in place_mm_ already
+    dvec2 travelled_mm_{0.0};  // the part of the input's sum already added to place_mm_
     double rev_min_ = kUsualRevMin;
     std::uint64_t last_heartbeat_ = 0;
     std::uint64_t last_refreshed_ = 0;

@@ -29,8 +29,8 @@ namespace onggi::render {
 // that was left.
 class CrossFade {
   public:
-    // Begins a fade from `last`, which is copied to lent.first (parts of it may be there already). That
-    // memory must stay in place until end().
+    // Begins a fade from `last`, which is copied to lent.first (tiles may be there already). That memory must
+    // stay in place until end().
     void begin(const TileGrid& grid, const HostPicture& last, const KeptView::Lent& lent);
     void end() { before_ = mixed_ = nullptr; }
     [[nodiscard]] bool is_on() const { return mixed_ != nullptr; }
@@ -137,8 +137,8 @@ class CpuBackend : public RenderBackend {
     [[nodiscard]] FrameContext& frame() override { return frame_; }
 
   private:
-    // What is drawn under the overlay. kCoveredScene is drawn but not shown: because the overlay is about to
-    // fade, or because much of the scene has changed. Work that takes several frames is thus done before a
+    // The content under the overlay. kCoveredScene is drawn but not shown, because the overlay is about to
+    // fade or because much of the scene has changed. Work that takes several frames is thus done before a
     // visitor waits for it.
     enum class Under { kScene, kCoveredScene, kRestingScene, kNothing };
 

@@ -139,7 +139,7 @@ class StillLayers {
     vk::Buffer depth_;
 };
 
-// What a view is made from.
+// The inputs of a view.
 struct KeptRoom {
     LayerPipelines pipelines;
     StillMeshes meshes;

@@ -31,7 +31,7 @@ std::uint32_t part_of(int place) {
     return static_cast<std::uint32_t>(place) >> 8U & 255U;
 }
 
-// A position along a photograph's width or height in 16.16 fixed point, mirrored outside of it as in
+// A position along a photograph's width or height in 16.16 fixed point, mirrored outside as in
 // shaders/background_edge.h, and the distance outside.
 struct Along {
     int at = 0;

@@ -108,7 +108,7 @@ struct BuiltFrame {
     float ring_error_px = 0.0F;
 };
 
-// What a frame needs to know about the still life: the depth of its ground and the extent of its shadow
+// The data of the still life that a frame needs: the depth of its ground and the extent of its shadow
 // casters.
 struct StillBounds {
     float lowest_mm = 0.0F;

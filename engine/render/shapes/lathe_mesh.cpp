@@ -238,7 +238,7 @@ void profile_normals(const LatheProfile& profile, float footprint_mm, NormalTexe
         normals->y[i] = normal.y;
     }
     // A chord is a box filter, which passes part of a groove of its own length; a second box filter of the
-    // same length removes nearly all of it.
+    // same length removes nearly all that remains.
     const auto reach = static_cast<std::size_t>(std::max(0.5F * footprint_mm / texel_mm, 0.0F));
     const auto sums = std::make_unique<Axes>();
     vec2 sum(0.0F);

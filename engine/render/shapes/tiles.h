@@ -53,9 +53,9 @@ void for_tiles(const TileGrid& grid, const PixelRect& rect, Visit visit) {
     }
 }
 
-// What a frame draws over a tile.
+// The content that moves on a tile.
 constexpr std::uint8_t kNothingMoves = 0;
-constexpr std::uint8_t kMoves = 1;    // something moves in parts of it
+constexpr std::uint8_t kMoves = 1;    // something moves in parts of the tile
 constexpr std::uint8_t kCovered = 2;  // moving things cover the whole tile and hide everything under them
 
 // Marks the tiles that the rectangle touches.

@@ -27,7 +27,7 @@ class BackgroundPass {
     // background that may be shown soon. The device is idle.
     Result<void> fit(const VulkanFrame& frame, const Scene& scene);
 
-    // Whether all of it is on the device.
+    // Whether the whole background is on the device.
     [[nodiscard]] bool has(const Background* background) const;
 
   private:

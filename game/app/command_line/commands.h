@@ -8,29 +8,30 @@ class App;
 
 namespace onggi::app {
 
-// Runs the command that main()'s arguments name, by default the kiosk where the program has one. Returns the
-// exit code: the command's `exit_status`, or 2 with one line on stderr for wrong usage. In command_line.cpp.
+// Runs the command that main()'s arguments name; the default is the kiosk, if the program has one. Returns
+// the exit code: the command's `exit_status`, or 2 with one line on stderr for wrong usage. In
+// command_line.cpp.
 int run_command_line(CLI::App& program, int argc, const char* const* argv, const int& exit_status);
 
-// The visitor's experience, from attract mode to a kept pot; the default of `onggi`.
+// Runs the visitor's experience, from attract mode to a kept pot; the default of `onggi`.
 void add_kiosk_command(CLI::App& program, int& exit_status);
-// A gesture or session in simulated time, as fast as possible, without a window.
+// Plays a gesture or session in simulated time, as fast as possible, without a window.
 void add_throw_command(CLI::App& program, int& exit_status);
-// A gesture or session in real time, with its picture.
+// Plays a gesture or session in real time, with its picture.
 void add_live_command(CLI::App& program, int& exit_status);
-// Simulates a session again and compares it with what was recorded.
+// Simulates a session again and compares it with the recording.
 void add_replay_command(CLI::App& program, int& exit_status);
-// A session's pot and its making as a short film.
+// Renders a session's pot and its making as a short film.
 void add_film_command(CLI::App& program, int& exit_status);
 // Serves the outbox to phones, in a separate confined process.
 void add_share_command(CLI::App& program, int& exit_status);
-// The available haptic and input devices.
+// Lists the available haptic and input devices.
 void add_devices_command(CLI::App& program, int& exit_status);
-// What the machine offers, what each lack costs, and how to mend it. Exit code 0, or 3 with --strict where
-// something is lacking.
+// Reports what the machine offers and, for each lack, its effect and its remedy. Exit code 0, or 3 with
+// --strict if something is lacking.
 void add_doctor_command(CLI::App& program, int& exit_status);
-// The state of a kiosk, from its files. Exit code 0 where it is well, 1 where it is not, 2 where its settings
-// are wrong, 3 where they or its files cannot be read.
+// Reports the state of a kiosk from its files. Exit code 0 if it is well, 1 if it is not, 2 if its settings
+// are wrong, 3 if they or its files cannot be read.
 void add_status_command(CLI::App& program, int& exit_status);
 // Writes the program's manual page and completion, for the installation. Not listed in --help.
 void add_manual_command(CLI::App& program, int& exit_status);

@@ -12,7 +12,7 @@ void add_devices_command(CLI::App& program, int& exit_status) {
     command->callback([&exit_status] {
         const std::vector<Finding> findings = probe_haptic_devices();
         std::fputs(findings_as_text(findings).c_str(), stdout);
-        exit_status = 0;  // a missing device is no failure of the command
+        exit_status = 0;  // a missing device does not make the command fail
     });
 }
 

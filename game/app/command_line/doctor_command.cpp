@@ -26,7 +26,7 @@ using Verdict = Finding::Verdict;
 
 using render::BackendChoice;
 
-// The backend for this device, the first quality level and the range of levels.
+// Reports the backend for this device, the first quality level and the range of levels.
 Finding probe_quality(const vk::DeviceDescription& device, BackendChoice backend) {
     const int threads = draw_threads(jobs::choose_haptic_core());
     const render::DeviceClass counts_as = render::class_for(backend, wheel::device_class(device));
@@ -50,7 +50,7 @@ Finding probe_quality(const vk::DeviceDescription& device, BackendChoice backend
     return finding;
 }
 
-// The backend of the option, else of the settings, else auto.
+// Returns the backend of the option, else of the settings, else auto.
 BackendChoice backend_of(const std::optional<BackendChoice>& asked, const std::string& settings) {
     if (asked) return *asked;
     std::error_code error;

@@ -38,7 +38,7 @@ struct FilmOptions {
     std::string glaze;
 };
 
-// The glaze of that name, one of six.
+// Returns one of the six glazes by its name.
 Result<const finish::GlazeMaterial*> glaze_called(const std::string& name, const std::string& place) {
     if (const finish::GlazeMaterial* glaze = finish::find_glaze(name)) return glaze;
     std::string known;

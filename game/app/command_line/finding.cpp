@@ -103,7 +103,7 @@ Finding probe_gallery(const kiosk::Config& config) {
     return finding;
 }
 
-// With sharing on: whether the outbox can be written and whether the server answers.
+// If sharing is on: checks whether the outbox can be written and whether the server answers.
 std::vector<Finding> probe_sharing(const kiosk::Config& config) {
     const auto& sharing = config.sharing;
     std::vector<Finding> findings;

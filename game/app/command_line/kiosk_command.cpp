@@ -49,19 +49,19 @@ struct KioskOptions {
     std::optional<render::BackendChoice> backend = {};
 };
 
-// A number that changes with every tick.
+// Returns a number that changes with every tick.
 std::uint64_t tick_mark(const haptic::Snapshot& snapshot) {
     return snapshot.tick + (snapshot.run << 40U) + (snapshot.states_put << 32U);
 }
 
-// The folder of the spoken lines' recordings, or empty without recordings.
+// The folder with the recordings of the spoken lines; empty without recordings.
 std::filesystem::path spoken_folder(const kiosk::Config& config) {
     if (!config.sound.spoken_folder.empty()) return config.sound.spoken_folder;
     const auto found = files::find_asset("spoken");
     return found ? *found : std::filesystem::path();
 }
 
-// The backend of the command line, else of the settings, which have been validated.
+// Returns the backend of the command line, else of the settings, which have been validated.
 render::BackendChoice backend_of(const KioskOptions& options, const kiosk::Config& config) {
     return options.backend.value_or(
         render::backend_choice_named(config.screen.backend).value_or(render::BackendChoice::kAuto));
@@ -96,7 +96,7 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
     std::optional<double> beat_s;
     while (!visit.quits() && !end_was_asked()) {
         if (job.finished()) return failed("the haptic loop has ended by itself");
-        // The display or the drawing device has changed.
+        // The display or the GPU has changed.
         if (const double rate_hz = beside.view.frame_rate_hz(); rate_hz != frame_rate_hz)
             pacer.emplace(clock, frame_rate_hz = rate_hz);
         pacer->wait(beside.view.wait_for_display());
@@ -167,7 +167,7 @@ haptic::HapticJobOptions kiosk_job_options(const jobs::RealTimeRequest& real_tim
     haptic::HapticJobOptions options;
     options.spares_the_core = true;
     options.real_time = real_time;
-    // The keeper may be this late on a busy machine without losing a visitor's pot.
+    // On a busy machine, the keeper may be late by this time without losing a visitor's pot.
     constexpr double kMostLateS = 16.0;
     options.record_capacity = static_cast<std::size_t>(kMostLateS * rate_hz);
     return options;
@@ -258,7 +258,8 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     return end;
 }
 
-// Reports that the supervised kiosk has ended, to the journal and in the status file for remote monitoring.
+// After the supervised kiosk has ended, writes its end to the journal and to the status file for remote
+// monitoring.
 void tell_of_end(const KioskOptions& options, int code) {
     // A kiosk that could not start has already printed its error.
     if (code == 0 || code == exit_code(ErrorKind::kFailed))

@@ -1,4 +1,4 @@
-// Both loops in real time: the haptic job on its own core, and the picture at 60 Hz on the calling thread,
+// Runs both real-time loops: the haptic job on its own core, and the picture at 60 Hz on the calling thread,
 // which must be the main one. The caller draws the frames.
 #pragma once
 
@@ -21,7 +21,7 @@ constexpr double kFrameRateHz = 60.0;
 struct LiveRun {
     haptic::Start start;
     haptic::ToolDevices devices;
-    std::uint64_t tick_count = 0;   // length of the recording, which then repeats on a fresh lump
+    std::uint64_t tick_count = 0;   // length of the recording; it repeats on a fresh lump
     std::optional<double> seconds;  // duration; by default the path is played once
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
     jobs::RealTimeRequest real_time{};
@@ -30,7 +30,7 @@ struct LiveRun {
 enum class FrameOutcome {
     kDrawn,
     kNotShown,  // minimised, or between two sizes
-    kStopped,   // drawn, and the window's stop key was pressed: no more forces
+    kStopped,   // drawn, and the window's stop key was pressed: forces off
     kClosed,    // the window was closed: the run ends
 };
 // Draws one snapshot and returns when the picture is done. An error ends the run.
@@ -42,23 +42,23 @@ struct LiveReport {
     jobs::RealTimeReport real_time;
     jobs::TickStats ticks;
     std::uint64_t frames = 0;             // drawn
-    std::optional<double> first_frame_s;  // time of the first, since the process started
-    std::optional<double> resident_mb;    // of the process, after the last
-    std::optional<double> own_mb;         // the part that it has allocated
+    std::optional<double> first_frame_s;  // time of the first frame since the process started
+    std::optional<double> resident_mb;    // of the process, after the last frame
+    std::optional<double> own_mb;         // the part that the process has allocated
     jobs::Histogram frame_ns;             // duration of a frame
     jobs::Histogram frame_interval_ns;    // from the start of a frame to the start of the next
-    std::uint64_t lumps = 0;              // number started
+    std::uint64_t lumps = 0;              // number of lumps started
     std::uint64_t dropped_records = 0;
     haptic::SafetyReport safety;
     double most_force_n = 0.0;  // limit for each hand
     haptic::HapticState state;  // at the end
 };
 
-// A device that cannot render this clay gets no force, and one line on stderr says why. Errors: the device's
-// or the thread's (see HapticJob::start), or the first that `draw` returned.
+// A device that cannot render this clay gets no force, and one line on stderr states the reason. Errors: the
+// device's or the thread's (see HapticJob::start), or the first that `draw` returned.
 [[nodiscard]] Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw);
 
-// Discards the records of a live run, which is not recorded: a full ring would count lost ticks. Call it once
+// Discards the records of a live run, which are not needed: a full ring would count lost ticks. Call it once
 // a frame.
 void pass_over_records(haptic::HapticJob& job);
 

@@ -47,7 +47,7 @@ std::string as_upper(std::string text) {
     return text;
 }
 
-// Help texts may start with a small letter, being a table; a manual page has sentences.
+// Help texts are table cells and may start with a small letter; a manual page has sentences.
 std::string as_sentence(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
     if (!text.empty() && text.back() != '.') text += '.';
@@ -79,7 +79,7 @@ bool is_flag(const CLI::Option& option) {
     return option.get_items_expected_max() == 0;
 }
 
-// "wet|dry|bisque|glaze": the words that an option accepts, or empty where it accepts other values.
+// Returns the words that an option accepts, as "wet|dry|bisque|glaze", or nothing if it accepts other values.
 std::string words_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     const bool are_words =
@@ -106,8 +106,8 @@ std::string with_dashes(const CLI::Option& option) {
     return names;
 }
 
-// onggi(1) in troff's man macros: the program, each command that help lists with its options and notes.
-// `named` is its version, `day` (YYYY-MM-DD) its date.
+// Returns onggi(1) in troff's man macros: the program, and each command that help lists, with its options and
+// notes. `named` is the program's version, `day` (YYYY-MM-DD) its date.
 std::string manual_page(const CLI::App& program, const std::string& named, const std::string& day) {
     std::string page = fmt::format(
         ".\\\" Written by the program from its own command line.\n"
@@ -140,7 +140,7 @@ std::string manual_page(const CLI::App& program, const std::string& named, const
     return page;
 }
 
-// The bash completion for "onggi": commands, their options, the words that an option accepts, files.
+// Returns the bash completion for "onggi": commands, their options, the words that an option accepts, files.
 std::string bash_completion(const CLI::App& program) {
     std::string commands;
     std::string cases;

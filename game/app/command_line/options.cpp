@@ -39,7 +39,7 @@ CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::option
     return command.add_option(name, read, description)->type_name(kind);
 }
 
-// An option whose value is one of several words, each for one value of T.
+// Adds an option whose value is one of several words; each stands for one value of T.
 template <typename T, typename Slot>
 CLI::Option* add_choice(CLI::App& command, const std::string& name,
                         const std::vector<std::pair<std::string, T>>& words, Slot& slot,

@@ -19,22 +19,23 @@ namespace onggi::app {
 
 // A pot to throw on instead of a fresh lump (performance.h).
 struct StartPot {
-    std::optional<std::string> on = {};  // a session: its pot is put back on the wheel
+    std::optional<std::string> on = {};  // a session whose pot is put back on the wheel
     std::optional<std::string> joined =
-        {};  // another session: its pot is turned upside down and joined rim to rim
-    std::optional<double> mouth_mm = {};  // the opening cut into the joined pot, inside
+        {};  // another session, whose pot is turned upside down and joined rim to rim
+    std::optional<double> mouth_mm = {};  // the opening cut into the joined pot; inside diameter
 };
 
-// What to throw: a hand's path, and for a gesture the rate and the clay, which its file does not contain.
+// The input of a throw: a hand's path and, for a gesture, the rate and the clay, which its file does not
+// contain.
 struct InputOptions {
-    std::string file;  // a gesture or a session, told apart by content
+    std::string file;  // a gesture or a session, recognised by its content
     std::optional<double> rate_hz = {};
     std::optional<int> element_count = {};
     std::optional<std::string> clay = {};     // "studio" (the default) or "paper"
     std::optional<double> clay_mass_g = {};   // of a studio lump
     std::optional<clay::ClayBody> body = {};  // of a studio lump; default stoneware
     std::optional<std::string> wheel = {};    // "electric" (the default) or "kick"
-    bool forgiving = false;                   // the wheel slows before the clay gives way
+    bool forgiving = false;                   // the wheel slows down before the clay fails
     StartPot start = {};                      // in place of a lump
 };
 
@@ -57,9 +58,9 @@ void add_volume_option(CLI::App& command, std::optional<double>& volume);
 // --backend: the renderer.
 CLI::Option* add_backend_option(CLI::App& command, std::optional<render::BackendChoice>& backend,
                                 const std::string& description);
-// --device: a device accepted by names_a_device(), or `first`, the name of the first hand here.
+// --device: a device accepted by names_a_device(), or `first`, the name of this command's first device.
 CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::string& first = "mouse");
-// --view; it needs `picture`, the option that requests a picture.
+// --view; requires `picture`, the option that requests a picture.
 void add_view_option(CLI::App& command, wheel::StillView& view, CLI::Option* picture);
 
 // An option with a decimal number within bounds: no hexadecimal, no "nan", independent of the locale.

@@ -107,7 +107,7 @@ Result<Performance> load_performance(const InputOptions& options) {
 
 namespace {
 
-// The pot at the end of a session, put back on the wheel.
+// Returns the pot at the end of a session, put back on the wheel.
 Result<clay::StudioClay> pot_left_by(const std::string& file) {
     auto loaded = load_session(file);
     if (!loaded) return loaded.error();

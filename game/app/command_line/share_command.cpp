@@ -36,8 +36,8 @@ struct ShareOptions {
 
 constexpr int kRoundMs = 500;  // between two checks of the end signal
 
-// Executes the program again with only the arguments that the server needs, so that no setting, such as the
-// staff's PIN, stays in the memory of a process that answers strangers. Returns only on failure.
+// Executes the program again with only the arguments that the server needs, so that a process that answers
+// strangers has no setting, such as the staff's PIN, in its memory. Returns only on failure.
 Result<void> start_over(const kiosk::Config& config) {
     std::vector<std::string> words{"onggi",    "share",
                                    "--outbox", config.sharing.outbox,
@@ -65,15 +65,15 @@ Result<void> read_settings_and_start_over(const std::string& file) {
     return start_over(*config);
 }
 
-// Beside a wheel, the picture has priority and the haptic thread's core stays free. A refusal does no harm to
-// phones, so it is not reported.
+// On the kiosk's machine, the picture has priority and the haptic thread's core stays free. If the kernel
+// refuses, phones lose nothing, so the refusal is not reported.
 void stand_back() {
-    constexpr int kPicturesFirst = 10;  // nice level, about a tenth of the normal share of a core
+    constexpr int kPicturesFirst = 10;  // nice level: about a tenth of the normal share of a core
     static_cast<void>(::setpriority(PRIO_PROCESS, 0, kPicturesFirst));
     static_cast<void>(jobs::keep_this_thread_off_haptic_core(jobs::choose_haptic_core()));
 }
 
-// The kiosk makes its outbox when it starts, which may be after this server.
+// The kiosk creates its outbox when it starts, perhaps after this server.
 Result<void> wait_for_folder(const std::string& folder) {
     std::error_code error;
     if (!std::filesystem::exists(folder, error))

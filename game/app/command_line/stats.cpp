@@ -44,7 +44,7 @@ std::string_view name_of(clay::studio::Cause cause) {
     return "none";
 }
 
-// The pot's measures at a stage, as in an export's extras: lengths, capacity, mass, walls, ledger.
+// Returns the pot's measures at a stage, as in an export's extras: lengths, capacity, mass, walls, ledger.
 nlohmann::ordered_json pot_json(const clay::StudioClay& clay, clay::Firing stage) {
     nlohmann::ordered_json pot;
     // clang 14 cannot capture structured bindings in a lambda.
@@ -53,7 +53,7 @@ nlohmann::ordered_json pot_json(const clay::StudioClay& clay, clay::Firing stage
     return pot;
 }
 
-// The studio clay's statistics; the failure is a sentence, or null while the pot stands.
+// Adds the studio clay's statistics; the failure is a sentence, or null while the pot stands.
 void add_studio_stats(nlohmann::ordered_json& stats, const clay::StudioClay& clay) {
     const auto pot = clay::measure_pot(clay.rings(), clay.lump().body);
     stats["mass_g"] = pot.mass_g;

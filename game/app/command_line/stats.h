@@ -10,13 +10,13 @@
 
 namespace onggi::app {
 
-// {p50, p99, p999, max} of a histogram, divided by `unit` (1000: us from ns).
+// Returns {p50, p99, p999, max} of a histogram, divided by `unit` (1000 converts ns to us).
 [[nodiscard]] nlohmann::ordered_json percentiles(const jobs::Histogram& histogram, double unit = 1.0);
 
 // The fields of every run: ticks, tick_ns, rate_hz, clay_volume_mm3, ledger_error (a fraction of the lump;
-// null: the paper's clay keeps no ledger); for the studio clay also mass, height, widest diameter, floor,
-// walls, capacity, its clay ledger, the number of rings, the load and a failure's sentence, and all measures
-// wet and glaze-fired (exporter/studio_export.h).
+// null for the paper's clay, which keeps no ledger). For the studio clay also mass, height, widest diameter,
+// floor, walls, capacity, its clay ledger, the number of rings, the load, a failure's sentence, and all
+// measures wet and glaze-fired (exporter/studio_export.h).
 [[nodiscard]] nlohmann::ordered_json common_stats(std::uint64_t ticks, const jobs::Histogram& tick_ns,
                                                   double rate_hz, const haptic::HapticState& state);
 

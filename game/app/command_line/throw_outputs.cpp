@@ -29,9 +29,9 @@
 namespace onggi::app {
 namespace {
 
-// The score of a pot against a museum's pot: the chosen one, or the nearest by shape.
+// The score of a pot against a museum's pot, which was chosen or is the nearest by shape.
 struct TargetScore {
-    std::string text;  // for a person, one line per measure
+    std::string text;  // readable text, one line per measure
     nlohmann::ordered_json json;
 };
 
@@ -120,15 +120,15 @@ std::string profile_of(const clay::PaperClay& clay) {
     return table;
 }
 
-// y_mm,outer_mm, and for the studio clay inner_mm (0 where it is solid): one row per element or ring, bottom
+// Columns y_mm, outer_mm, and for the studio clay inner_mm (0 if solid). One row per element or ring, bottom
 // first; y is its middle.
 std::string profile_table(const haptic::HapticState& state) {
     return std::visit([](const auto& clay) { return profile_of(clay); }, state.clay);
 }
 
-// The header line of the forces with its line break. The columns are the first hand's; for the studio clay
-// also its side (free, outer, inner or rim), the number of rings that the second hand or the assist touches,
-// the wheel's speed, the hands' friction on it, and the largest load index.
+// Returns the header line of the forces with its line break. The columns are the first hand's; for the studio
+// clay also its side (free, outer, inner or rim), the number of rings that the second hand or the assist
+// touches, the wheel's speed, the hands' friction on it, and the largest load index.
 std::string forces_header(const haptic::HapticState& state) {
     std::string header = "tick,t_s,contacts,fs_x_N,fs_y_N,fs_z_N,fv_x_N,fv_y_N,fv_z_N,ff_x_N,ff_y_N,ff_z_N";
     if (state.studio() != nullptr) {
@@ -137,7 +137,7 @@ std::string forces_header(const haptic::HapticState& state) {
     return header + '\n';
 }
 
-// Appends the row of one tick; `state` is the one after it.
+// Appends the row of one tick; `state` is the state after the tick.
 void append_forces_row(std::string& table, std::uint64_t tick, double rate_hz,
                        const haptic::TickResult& result, const haptic::HapticState& state) {
     const clay::ContactForces& forces = result.forces;
@@ -295,7 +295,7 @@ Result<std::string> OutputWriter::finish(const haptic::HapticState& state, const
                                          const jobs::Histogram& tick_ns) {
     Result<void> done;
     const pot::Pot pot = haptic::pot_of(state);
-    // The picture is first, because its device may be missing.
+    // The picture comes first, because its device may be missing.
     std::optional<asset::Image> picture;
     if (outputs_.screenshot) {
         auto drawn = picture_of(outputs_, state, last, parameters_, pot);

@@ -21,8 +21,8 @@
 
 namespace onggi::app {
 
-// `throw --target`: the museum's pots to score a thrown pot against. All targets, and the chosen one; without
-// a choice, the nearest by shape.
+// The museum's pots to score a thrown pot against, for `throw --target`: all targets and the chosen one;
+// without a choice, the nearest by shape.
 struct TargetChoice {
     std::vector<heritage::Target> targets;
     std::optional<std::size_t> chosen;
@@ -40,33 +40,33 @@ struct ThrowOutputs {
     std::optional<std::string> session;     // .onggi
     std::optional<std::string> stats;       // .json
     PictureSize size;
-    wheel::StillView view = wheel::StillView::kThrowing;  // that the screenshot shows
-    bool beauty = false;                                  // the screenshot is the mean of many pictures
-    std::optional<render::BackendChoice> backend = {};    // that draws it; cpu: as the live window does
-    clay::Firing stage = clay::Firing::kWet;              // that model and screenshot show
-    std::optional<TargetChoice> target;                   // to score the pot beside
+    wheel::StillView view = wheel::StillView::kThrowing;  // shown by the screenshot
+    bool beauty = false;                                  // averages many pictures for the screenshot
+    std::optional<render::BackendChoice> backend = {};  // draws the screenshot; cpu: as the live window does
+    clay::Firing stage = clay::Firing::kWet;            // shown by model and screenshot
+    std::optional<TargetChoice> target;                 // the target to score the pot against
 };
 
-// Checks before the work that every output has a supported extension and its own writable place.
+// Checks before the work starts that every output has a supported extension and its own writable place.
 [[nodiscard]] Result<void> check_outputs(const ThrowOutputs& outputs);
 
-// The pot on the wheel as a file of that kind, in either clay; the stage applies to the studio clay. A 3MF
+// Returns the pot on the wheel as a file of that kind. The stage applies only to the studio clay. A 3MF
 // includes the picture, if there is one.
 [[nodiscard]] Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state,
                                                          exporter::ExportKind kind,
                                                          clay::Firing stage = clay::Firing::kWet,
                                                          const asset::Image* picture = nullptr);
 
-// Collects the ticks and writes the files at the end.
+// Collects the ticks, and writes the files at the end.
 class OutputWriter {
   public:
     // Opens the files that are written while the pot is thrown.
     [[nodiscard]] static Result<OutputWriter> create(const ThrowOutputs& outputs, const haptic::Start& start);
 
-    // `state` is the one after the tick.
+    // `state` is the state after the tick.
     Result<void> add_tick(const haptic::HapticState& state, const haptic::TickResult& result);
-    // Creates and syncs all files before the first one is renamed into place. Returns the text to print: the
-    // score, where a target was chosen.
+    // Creates and syncs all files before it renames the first one into place. Returns the text to print: the
+    // score, if a target was chosen.
     Result<std::string> finish(const haptic::HapticState& state, const haptic::TickResult& last,
                                const jobs::Histogram& tick_ns);
 

@@ -24,7 +24,7 @@ struct NamedKind {
     std::string_view word;
     HidKind kind;
 };
-// Those that push back come last: of several that move at once, they get the tool.
+// Devices with force come last: if several move at the same time, the last one gets the tool.
 constexpr std::array<NamedKind, 3> kNamedKinds{{{"spacemouse", HidKind::kSpaceMouse},
                                                 {"dualsense", HidKind::kDualSense},
                                                 {"joystick", HidKind::kForceJoystick}}};
@@ -42,7 +42,7 @@ bool is_node(std::string_view word) {
            word.find_first_not_of("0123456789", kNodes.size()) == std::string_view::npos;
 }
 
-// The one that is plugged in and named so.
+// Finds the plugged-in device with that node or those numbers.
 Result<haptics::HidDeviceInfo> find(const std::string& word) {
     const auto devices = haptics::list_hid_devices();
     if (!devices) return devices.error();
@@ -60,7 +60,7 @@ Result<haptics::HidDeviceInfo> find(const std::string& word) {
                                     driven.empty() ? "no supported device" : driven));
 }
 
-// In a few words: what a person who never saw it wants to know.
+// Describes the device in a few words for a reader who does not know it.
 std::string ability_of(const haptics::DeviceCapabilities& device, bool is_pedal) {
     if (is_pedal) return "turns the wheel";
     if (device.force_axes == 0) return "moves the tool";

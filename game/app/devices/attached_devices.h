@@ -1,5 +1,5 @@
-// Which devices a command lets at the wheel, and what becomes of them while it runs. The haptic job gets them
-// as one device; the main thread asks here who is plugged in and who has the tool. Main thread.
+// Selects the devices that a command admits to the wheel, and follows them while it runs. The haptic job gets
+// them as one device; the main thread asks here which are plugged in and which has the tool. Main thread.
 #pragma once
 
 #include <functional>
@@ -14,28 +14,31 @@
 
 namespace onggi::app {
 
-// A word for the devices that may hold the tool: `auto` (whatever is plugged in, now or later), or one
-// device: a kind (joystick, spacemouse, dualsense, inverse3), a node (/dev/hidraw3) or numbers (256f:c635).
-// Any other word is the first device's name: nothing besides it. The foot pedal serves beside all but that.
+// Whether the word names the devices that may hold the tool: `auto` (any device that is plugged in, now or
+// later), a kind (joystick, spacemouse, dualsense, inverse3), a node (/dev/hidraw3) or numbers (256f:c635).
+// Any other word is the name of the first device, which is then the only one. The foot pedal works with all
+// but that.
 [[nodiscard]] bool names_a_device(const std::string& word);
 
 class AttachedDevices {
   public:
-    // `first` is always there. A recording yields to whoever moves a device. System lacks: a device named by
-    // node or numbers is not plugged in, or is none that is driven here.
+    // `first` is always present. A recording yields the tool to any device that is moved. System lacks: the
+    // device named by node or numbers is not plugged in or not supported.
     static Result<AttachedDevices> make(const std::string& word, std::unique_ptr<haptic::ToolDevice> first,
                                         bool first_is_a_recording);
 
-    // For the haptic job, once. It owns the devices: ask nothing below after it is gone.
+    // Passes the devices to the haptic job; call it once. The job owns them: do not call the functions below
+    // after its end.
     [[nodiscard]] haptic::ToolDevices take() { return {std::move(group_), *first_}; }
 
-    // What has changed since the last call, a line each: who came, who went, who is refused and why.
+    // Returns the changes since the last call, one line each: devices that were plugged in, unplugged, or
+    // refused with the reason.
     [[nodiscard]] std::vector<std::string> news();
     // The device that has the tool; empty: the first.
     [[nodiscard]] std::string holder() const;
-    // Whether somebody has done something with a device besides the first, or a pedal, since the last call.
+    // Whether a device other than the first, or a pedal, was used since the last call.
     [[nodiscard]] bool somebody_moved();
-    // Whether a device besides the first is plugged in and works, as of the last news().
+    // Whether a device other than the first is plugged in and works, as of the last news().
     [[nodiscard]] bool has_device() const;
     // The devices and pedals that are plugged in, as of the last news().
     struct Seen {
@@ -45,13 +48,14 @@ class AttachedDevices {
         std::string why_not;  // one line
     };
     [[nodiscard]] std::vector<Seen> seen() const;
-    // A DualSense is driven whole, so that the window system's idea of it counts for nothing.
+    // A DualSense's driver reads all its controls, so the window system's gamepad events from that device
+    // must be ignored.
     [[nodiscard]] bool drives(std::uint16_t vendor_id, std::uint16_t product_id) const;
 
   private:
     struct Watched {
         haptics::HidKind kind = haptics::HidKind::kUnknown;  // kUnknown: no HID device
-        std::string word = {};                               // what it is called while it has no name
+        std::string word = {};                               // its name until the device reports one
         std::function<const haptics::hid::HidStatus&()> status = {};
         std::string ability = {};
         haptics::hid::HidStatus last = {};
@@ -70,9 +74,9 @@ class AttachedDevices {
     std::unique_ptr<haptics::DeviceGroup> group_;
     const haptics::DeviceGroup* watched_group_ = nullptr;
     const haptic::ToolDevice* first_ = nullptr;
-    std::vector<Watched> tools_;  // in the order of the hands, from the second on
+    std::vector<Watched> tools_;  // in the order of the group's devices, from the second on
     std::vector<Watched> pedals_;
-    std::uint64_t signs_of_life_ = 0;  // as of the last look
+    std::uint64_t signs_of_life_ = 0;  // as of the last call
 };
 
 }  // namespace onggi::app

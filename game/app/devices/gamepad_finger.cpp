@@ -8,12 +8,12 @@ namespace {
 
 using window::Gamepad;
 
-// A trigger at rest seldom says exactly nothing.
+// A trigger at rest seldom reads exactly 0.
 constexpr float kTriggerPulled = 0.1F;
 constexpr std::uint32_t kRingButtons = Gamepad::kLeft | Gamepad::kRight | Gamepad::kX;
 
-// The stick's deflection beyond its dead band, by the third power: a light push moves finely. Round, so that
-// the band has no corners.
+// The cube of the stick's deflection beyond its dead band, for fine control with a light push. The band is
+// radial, so that it has no corners.
 dvec2 shaped(dvec2 stick, double dead_band) {
     const double length = std::sqrt(glm::dot(stick, stick));
     if (!(length > dead_band)) return dvec2(0.0);
@@ -26,7 +26,7 @@ dvec2 shaped(dvec2 stick, double dead_band) {
 bool GamepadFinger::presses(bool button, double trigger, bool is_moving, double dt_s) {
     trigger_presses_ = trigger > (trigger_presses_ ? mapping_.released_at : mapping_.pressed_at);
     const bool is_held = button || trigger_presses_;
-    // Once it counts as stuck, it must be let go before it presses again.
+    // A stuck button must be released before it presses again.
     const bool is_stuck = still_s_ >= mapping_.longest_still_s;
     if (!is_held || (is_moving && !is_stuck)) still_s_ = 0.0;
     if (is_held) still_s_ += dt_s;

@@ -1,4 +1,4 @@
-// What the sticks and buttons of a gamepad mean at the wheel. Pure state, no window and no clock. Main
+// Interprets the sticks and buttons of a gamepad at the wheel. Pure state, no window and no clock. Main
 // thread, once a frame. mm, s.
 #pragma once
 
@@ -12,39 +12,39 @@
 namespace onggi::app {
 
 struct GamepadMapping {
-    double dead_band = 0.15;  // of a stick's travel: worn sticks do not come back to the middle
+    double dead_band = 0.15;  // fraction of a stick's travel: worn sticks do not return to the middle
     double fastest_mm_s = 160.0;
-    double finer = 0.35;  // fraction of that for the right stick
-    // A trigger presses when it is pulled so far, and until it is let go so far.
+    double finer = 0.35;  // speed of the right stick as a fraction of the left one's
+    // The trigger presses beyond pressed_at and releases below released_at.
     double pressed_at = 0.5;
     double released_at = 0.3;
-    double longest_still_s = 60.0;  // a button that is held so long while nothing moves is stuck
+    double longest_still_s = 60.0;  // a button held for longer without motion counts as stuck
 };
 
-// What a pad asks for in one frame.
+// The request of the gamepads in one frame.
 struct GamepadRequest {
-    dvec2 step_mm{0.0};         // of the finger on its plane
-    bool is_used = false;       // anything at all
-    bool is_for_clay = false;   // anything but what walks the ring
-    bool presses = false;       // the finger is on the clay
-    double speed_steps = 0.0;   // a faster or slower wheel
-    double radius_steps = 0.0;  // larger or smaller tool
-    bool fresh_lump = false;    // asked once, as are the two below
-    int ring_steps = 0;         // of the ring that walks the buttons, forwards or back
-    bool takes = false;         // the button with the ring is pressed
+    dvec2 step_mm{0.0};         // motion of the finger on its plane
+    bool is_used = false;       // any input
+    bool is_for_clay = false;   // any input but that of the focus ring
+    bool presses = false;       // the finger touches the clay
+    double speed_steps = 0.0;   // change of the wheel's speed
+    double radius_steps = 0.0;  // change of the tool's size
+    bool fresh_lump = false;    // set in the frame of the press, like ring_steps and takes
+    int ring_steps = 0;         // steps of the focus ring, forwards or backwards
+    bool takes = false;         // presses the button with the ring
 };
 
-// What the pad asks of the ring, as the keys that ask the same.
+// Converts the request's steps of the ring to the equivalent key events.
 [[nodiscard]] std::vector<window::KeyEvent> keys_of(const GamepadRequest& request);
 
 class GamepadFinger {
   public:
     explicit GamepadFinger(const GamepadMapping& mapping = {}) : mapping_(mapping) {}
 
-    // The request of the pads together, after dt_s. Left stick: to the sides, up and down; right stick: the
-    // same, finely. A or the right trigger presses; bumpers make the wheel slower and faster, the cross up
-    // and down changes the tool's size; Start is a fresh lump. The cross to the sides walks a ring through
-    // the buttons of the screen, and X takes the one that it is on.
+    // Combines all gamepads into one request, dt_s after the last. Left stick: moves the finger; right stick:
+    // moves it finely. A or the right trigger: presses. Bumpers: a slower or faster wheel. D-pad up and down:
+    // the tool's size. Start: a fresh lump. D-pad left and right: moves the focus ring; X: presses the button
+    // with the ring.
     [[nodiscard]] GamepadRequest request(std::span<const window::Gamepad> pads, double dt_s);
 
   private:
@@ -52,8 +52,8 @@ class GamepadFinger {
 
     GamepadMapping mapping_;
     bool trigger_presses_ = false;
-    double still_s_ = 0.0;            // since the finger was moved while it presses
-    std::uint32_t last_buttons_ = 0;  // of all pads
+    double still_s_ = 0.0;            // time since the pressing finger last moved
+    std::uint32_t last_buttons_ = 0;  // of all gamepads
 };
 
 }  // namespace onggi::app

@@ -19,7 +19,7 @@ std::optional<int> supervise_devices() {
     if (!is_supervised()) return std::nullopt;
     return jobs::supervise([](int signal) {
         const int count = haptics::let_go_of_all();
-        if (signal == 0) return;  // the program has said itself why it ended
+        if (signal == 0) return;  // the program has reported why it ended
         warn(fmt::format("the program died of signal {}; {} silenced", signal,
                          count == 1 ? std::string("1 device was") : fmt::format("{} devices were", count)));
         const auto kept = keep_crash_session();
@@ -34,7 +34,7 @@ std::optional<int> supervise_devices() {
 StopGuard::StopGuard(haptic::HapticJob& job)
     : key_([](const std::vector<std::string>& known) { return haptics::open_stop_keys(known); },
            [&job] { job.stop_force(); }) {
-    // Without a thread there is no stop key besides the window's; the loop is no worse than before.
+    // If the thread cannot start, the window's stop key remains, and the loop runs as before.
     static_cast<void>(thread_.start(key_, "onggi-stop-key"));
 }
 

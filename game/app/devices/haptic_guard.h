@@ -1,5 +1,5 @@
-// What stands by while the haptic loop runs, for the moments when this program cannot help itself: a process
-// that outlives a crash, and a stop key that needs no window. Main thread.
+// Safeguards beside the haptic loop for when this program fails: a supervisor process that outlives a crash,
+// and a stop key that needs no window. Main thread.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace onggi::app {
 
-// To be called first of all by a command that lets devices push. From here on this is the child of a
-// supervisor, which tells every device to let go should the child die on the spot; see jobs::supervise for
-// what is returned. ONGGI_UNSUPERVISED=1 leaves it out, for debuggers.
+// Call it first in a command that drives force devices. From here on this process is the child of a
+// supervisor, which silences every device if the child dies. See jobs::supervise for the return value.
+// ONGGI_UNSUPERVISED=1 disables it, for debuggers.
 [[nodiscard]] std::optional<int> supervise_devices();
-// Whether it is not left out.
+// Whether ONGGI_UNSUPERVISED is unset.
 [[nodiscard]] bool is_supervised();
 
-// Pause or Stop on any keyboard the user may read, and no force from the next tick on. While it lives.
+// While it lives, Pause or Stop on any readable keyboard turns the force off from the next tick on.
 class StopGuard {
   public:
     explicit StopGuard(haptic::HapticJob& job);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostTextBytes = std::size_t{1} << 20U;
 
-// The words of the museum's own table, or the built-in ones where it has none or a bad one. Empty: a bad
+// Reads the museum's own table, or uses the built-in one if that is missing or invalid. Empty: an invalid
 // table of a language that is not built in. Bad input: a language without any table.
 Result<std::optional<kiosk::Language>> language_of(const std::string& code, const fs::path& folder,
                                                    std::vector<std::string>& remarks) {
@@ -87,7 +87,7 @@ void take_kept_house(KioskSettings& settings) {
         settings.rules.default_language = static_cast<int>(known - settings.languages->begin());
 }
 
-// Text grows with the configured distance, within its box; targets do not grow.
+// Text grows with the configured distance within its box; targets do not grow.
 std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, int height_px) {
     const double inches = config.screen.diagonal_inch;
     const double px_per_mm = screens::px_per_mm(width_px, height_px, inches);

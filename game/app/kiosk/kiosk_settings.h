@@ -50,8 +50,8 @@ struct HouseDefaults {
 Result<void> keep_house(const std::filesystem::path& folder, const HouseDefaults& house);
 void take_kept_house(KioskSettings& settings);
 
-// Checks a picture of that size on the configured panel and at the configured distance. Returns a line each
-// for text that stays too small to read and targets too small to touch.
+// Checks a picture of that size on the configured panel and at the configured distance. Returns one line for
+// each text that stays too small to read and each target too small to touch.
 [[nodiscard]] std::vector<std::string> panel_lacks(const kiosk::Config& config, int width_px, int height_px);
 
 // Errors as of files::read_file() and kiosk::read_config().
@@ -59,8 +59,8 @@ Result<kiosk::Config> read_config_file(const std::string& file);
 // Returns defaults if `config_file` is empty. Bad input: an error in the file or in a table of its languages
 // folder; a listed language that is neither built in nor has a table.
 Result<KioskSettings> load_settings(const std::string& config_file);
-// Falls back to `other_file` with a remark if `config_file` is invalid, so that a typing error does not leave
-// the screen dark. Bad input: both are invalid, or the first is and `other_file` is empty.
+// If `config_file` is invalid, falls back to `other_file` with a remark, so that a typing error does not
+// leave the screen dark. Bad input: both are invalid, or the first is and `other_file` is empty.
 Result<KioskSettings> load_settings(const std::string& config_file, const std::string& other_file);
 
 }  // namespace onggi::app

@@ -18,12 +18,12 @@
 namespace onggi::app {
 namespace {
 
-// Each picture is packed in all of these qualities when it is drawn, some 12 ms each: drawing all pictures
-// again for another quality would cost more.
+// Packs each picture in all of these qualities when it is drawn, 12 ms each: drawing all pictures again in
+// another quality would cost more.
 constexpr std::array kQualities{90.0, 75.0, 50.0, 25.0};
 constexpr std::uint64_t kTicksASlice = 2000;
 constexpr double kStillAt =
-    0.8;  // as a fraction of the making's pictures: hands at a pot with a recognisable shape
+    0.8;  // fraction of the making's pictures: there, the hands work on a pot with a recognisable shape
 constexpr double kStillQuality = 75.0;
 
 dvec2 turned(const dvec2& direction, double turns) {
@@ -42,11 +42,11 @@ std::vector<FilmPicture> film_plan(std::uint64_t tick_count, double seconds) {
     };
     const std::uint64_t count = count_of(seconds);
     const std::uint64_t turning = tick_count == 0 ? count : std::min(count_of(kFilmTurningS), count / 4);
-    const std::uint64_t steps = count - turning - 1;  // from the first picture of the making to the last
+    const std::uint64_t steps = count - turning - 1;  // between the first and the last picture of the making
     std::vector<FilmPicture> plan;
     plan.reserve(count);
     for (std::uint64_t picture = 0; picture < count - turning; ++picture) {
-        // Uses integers, without a product that overflows in a long session.
+        // Integer arithmetic without a product that could overflow in a long session.
         plan.push_back({.ticks = tick_count / steps * picture + tick_count % steps * picture / steps});
     }
     for (std::uint64_t picture = 0; picture < turning; ++picture) {

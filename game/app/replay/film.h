@@ -1,6 +1,6 @@
-// The film of a making: a session replayed exactly, drawn picture by picture, packed as animated WebP. It
-// works in slices, so that the caller can show progress or stop. Any one thread at a time; has a Vulkan
-// device of its own.
+// The film of a making: replays a session exactly, draws it picture by picture and packs it as animated WebP.
+// It works in slices, so that the caller can show progress or stop. One thread at a time; has its own Vulkan
+// device.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace onggi::app {
 
-// The moment of a session that each picture of its film shows. Pure; any thread. Times in s.
+// Selects the moment of a session for each picture of its film. Pure; any thread. Times in s.
 constexpr int kFilmPictureMs = 80;     // duration of each: 12.5 a second
 constexpr double kFilmTurningS = 1.5;  // the finished pot, at the end of the film
 constexpr double kLeastFilmS = 1.0;
@@ -32,9 +32,9 @@ struct FilmPicture {
     friend bool operator==(const FilmPicture&, const FilmPicture&) = default;
 };
 
-// For `seconds` of film, kLeastFilmS to kLongestFilmS: the making, evenly from before the first tick to
-// behind the last, then the finished pot, for kFilmTurningS and at most a quarter of the film. A session
-// without ticks shows only the pot.
+// Plans `seconds` of film, kLeastFilmS to kLongestFilmS: the making, sampled evenly from before the first
+// tick to after the last; then the finished pot, for kFilmTurningS but at most a quarter of the film. A
+// session without ticks shows only the pot.
 [[nodiscard]] std::vector<FilmPicture> film_plan(std::uint64_t tick_count, double seconds);
 
 struct FilmDesc {
@@ -43,8 +43,8 @@ struct FilmDesc {
     double seconds = 8.0;                        // kLeastFilmS to kLongestFilmS
     clay::Firing finished = clay::Firing::kWet;  // the stage in its last part
     std::size_t most_bytes = 1'500'000;          // of the file
-    // Draws like the live window of a processor (see wheel::StillOptions), while a kiosk runs. Otherwise each
-    // picture equals the screenshot of its tick, to the byte.
+    // Draws like the CPU backend of the live window (see wheel::StillOptions), while a kiosk runs. Otherwise
+    // each picture equals the screenshot of its tick, to the byte.
     bool quick = false;
 };
 
@@ -60,10 +60,10 @@ class FilmMaker {
     // Does some ticks or one picture; some tens of ms in quick mode. Returns true while there is more to do.
     // kFailed: a tick differs from its recording.
     [[nodiscard]] Result<bool> work();
-    // From here on the finished pot is shown under that glaze, not under its body's own. Has no effect once
-    // it is drawn.
+    // From here on the finished pot is shown under that glaze instead of its body's own. Has no effect once
+    // the pot is drawn.
     void finish_in(const finish::GlazeMaterial& glaze);
-    // The same for the decoration.
+    // Sets the decoration in the same way.
     void decorate(const decoration::Recorded& decoration);
     // Whether the making is drawn and the finished pot is next.
     [[nodiscard]] bool has_drawn_the_making() const;

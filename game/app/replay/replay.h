@@ -1,4 +1,4 @@
-// A session simulated again, tick by tick, and compared with what was recorded. Any one thread at a time.
+// Simulates a session again, tick by tick, and compares it with the recording. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Difference {
     std::uint64_t first_tick = 0;  // the first possible tick of the difference
     std::uint64_t last_tick = 0;   // the last possible one; equal if known exactly
     std::string what;
-    bool after_all = false;  // every tick is as recorded, but the work on the pot after them differs
+    bool after_all = false;  // every tick agrees, but the later work on the pot differs
 };
 [[nodiscard]] std::string sentence_for(const Difference& difference);
 

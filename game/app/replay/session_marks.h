@@ -10,8 +10,8 @@
 
 namespace onggi::app {
 
-// Returns no strokes where it has none. Bad input: as decoration::recorded_from(); `name` is the file's name
-// in messages.
+// Returns no strokes if the session has none. Bad input: as decoration::recorded_from(); `name` is the file's
+// name in messages.
 [[nodiscard]] Result<decoration::Recorded> decoration_in(const record::Session& session,
                                                          const std::string& name);
 

@@ -23,7 +23,7 @@ Result<LoadedSession> load_session(const std::string& file) {
     const auto first_bytes = files::read_file_start(file, record::kMagic.size());
     if (!first_bytes) return first_bytes.error();
     if (!record::opens_a_session(*first_bytes)) {
-        // The parser reports the error, and needs no more of the file for it.
+        // The start suffices for the parser to report the error.
         return record::parse_session(*first_bytes, file).error();
     }
     auto bytes = files::read_file(file, record::kMaxSessionBytes);

@@ -19,7 +19,7 @@ struct LoadedSession {
 };
 [[nodiscard]] Result<LoadedSession> load_session(const std::string& file);
 
-// "FILE: cut short ..." for a session without its end marker.
+// Returns "FILE: cut short ..." for a session without its end marker.
 [[nodiscard]] std::optional<std::string> remark_on_cut(const record::Session& session,
                                                        const std::string& file);
 

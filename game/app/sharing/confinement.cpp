@@ -16,7 +16,7 @@
 namespace onggi::app {
 namespace {
 
-// All rights of the first version of Landlock, which every kernel with Landlock accepts.
+// All rights of Landlock's first version, which every kernel with Landlock accepts.
 constexpr std::uint64_t kEverything =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_READ_FILE |
     LANDLOCK_ACCESS_FS_READ_DIR | LANDLOCK_ACCESS_FS_REMOVE_DIR | LANDLOCK_ACCESS_FS_REMOVE_FILE |

@@ -29,7 +29,7 @@ struct SocketAddress {
     [[nodiscard]] const sockaddr* generic() const { return reinterpret_cast<const sockaddr*>(&storage); }
 };
 
-// Empty where the text is no address.
+// Empty if the text is not a numeric address.
 std::optional<SocketAddress> numeric(const std::string& address, int port) {
     SocketAddress made;
     const auto network_port = htons(static_cast<std::uint16_t>(port));
@@ -63,7 +63,7 @@ Result<std::string> address_of(const std::string& address_or_interface) {
     if (address_or_interface.empty() || address_or_interface.size() >= sizeof request.ifr_name)
         return unknown();
     std::copy(address_or_interface.begin(), address_or_interface.end(), std::begin(request.ifr_name));
-    // Uses an AF_INET socket, because the service may be allowed no other family.
+    // Uses an AF_INET socket, because the service may not be allowed any other family.
     const int probe = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     const int refused = probe >= 0 && ::ioctl(probe, SIOCGIFADDR, &request) == 0 ? 0 : errno;
     if (probe >= 0) ::close(probe);

@@ -14,7 +14,7 @@ namespace onggi::app {
 namespace {
 
 OpenFile open_in(int folder, const std::string& name) {
-    // Does not block on a pipe in place of a file.
+    // Does not block if a pipe stands in place of the file.
     const int descriptor =
         ::openat(folder, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     if (descriptor < 0) return {};

@@ -43,8 +43,8 @@ class PageStore {
   public:
     explicit PageStore(std::filesystem::path outbox) : outbox_(std::move(outbox)) {}
 
-    // Opens a file of that code's folder. Returns no file where the folder or file is missing, where it has
-    // expired at `wall_s` (seconds since 1970), or where it is not a regular file: links are not followed.
+    // Opens a file of that code's folder. Returns no file if the folder or file is missing, if it has expired
+    // at `wall_s` (seconds since 1970), or if it is not a regular file; links are not followed.
     [[nodiscard]] OpenFile open(const sharing::ShareCode& code, std::string_view name,
                                 std::int64_t wall_s) const;
 

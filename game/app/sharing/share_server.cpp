@@ -27,7 +27,7 @@ namespace {
 
 // The server's answers, each with its header fields.
 
-// An answer that is ready to be sent, once or many times.
+// An answer that can be sent once or many times.
 class Response {
   public:
     Response() = default;
@@ -57,7 +57,7 @@ class Responses {
     // The file, or the bytes in `range`; `is_twin`: the file is the compressed one.
     [[nodiscard]] static Response of_file(OpenFile file, const sharing::PageFile& known,
                                           std::string_view range, bool is_twin);
-    // The prepared answer for everything but a pot's file.
+    // Returns the prepared answer for requests of anything but a pot's file.
     [[nodiscard]] Response without_a_file(const sharing::ShareAnswer& answer,
                                           std::string_view accept_language) const;
     [[nodiscard]] Response lost(std::string_view accept_language) const;
@@ -120,7 +120,7 @@ Responses::Responses() {
     bad_request_ = of_text("", kText, MHD_HTTP_BAD_REQUEST);
     too_many_ = of_text("", kText, MHD_HTTP_TOO_MANY_REQUESTS);
     too_many_.add(MHD_HTTP_HEADER_RETRY_AFTER, "5");
-    // These answers close the connection, because the client should not ask again soon.
+    // These answers close the connection, to slow down a client that asks again.
     for (const Response* last : {&not_allowed_, &bad_request_, &too_many_})
         last->add(MHD_HTTP_HEADER_CONNECTION, "close");
 }
@@ -200,9 +200,9 @@ bool has_gone(int socket) {
     return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
 }
 
-// Whether the other side begins with a TLS handshake (RFC 8446, 5.1): a browser that tries https first goes
-// on to http as soon as it is closed. The listening socket hands connections over with their first bytes
-// (TCP_DEFER_ACCEPT).
+// Whether the client begins with a TLS handshake (RFC 8446, 5.1). A browser that tries https first goes on to
+// http as soon as the connection is closed. The listening socket hands connections over with their first
+// bytes (TCP_DEFER_ACCEPT).
 bool speaks_tls(int socket) {
     constexpr char kHandshake = 0x16;
     char first = 0;
@@ -217,8 +217,8 @@ std::string_view header(MHD_Connection* connection, const char* name) {
     return view_of(MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name));
 }
 
-// Raises the limit of open files for that many connections, each with one file to send; returns the number
-// granted.
+// Raises the limit of open files for `wanted` connections, each with one file to send. Returns the granted
+// number of connections.
 unsigned granted_connections(unsigned wanted) {
     constexpr rlim_t kOthers = 32;
     rlimit limit{};

@@ -14,18 +14,18 @@
 
 namespace onggi::app {
 
-// The deadline of each connection: a client that sends its request or takes its file byte by byte is cut off,
-// sooner when there are many connections, and one that disconnects before its request at once. The caller
-// passes the time. Any one thread.
+// The deadline of each connection. A client that sends its request or takes its file byte by byte is cut off,
+// sooner if there are many connections; a client that disconnects before its request is dropped at once. The
+// caller passes the time. One thread at a time.
 struct DeadlineRules {
     double head_s = 10.0;         // for a whole request header, and for silence
     double crowded_head_s = 1.0;  // the same in a crowd
     std::size_t crowd = 384;      // connections that make a crowd
-    // Connections without a whole request. A new one beyond these replaces the oldest, so that open headers
-    // keep no other phone out, whether it has the same address or not.
+    // Limits of the connections without a whole request. A new one beyond them replaces the oldest, so that
+    // open headers cannot lock out other phones, at the same address or another.
     std::size_t most_heads_an_address = 96;
     std::size_t most_heads = 448;
-    double answer_s = 20.0;         // for an answer, plus
+    double answer_s = 20.0;         // time for an answer, plus
     double bytes_per_s = 16'384.0;  // its transfer time at this rate
 };
 
@@ -43,7 +43,7 @@ class Deadlines {
 
     explicit Deadlines(const DeadlineRules& rules = {}) : rules_(rules) {}
 
-    // Calls cut(socket) for each whose place the newcomer takes.
+    // Calls cut(socket) for each connection that is replaced.
     template <typename Cut>
     [[nodiscard]] Handle add(int socket, const sharing::AddressKey& address, double now_s, Cut cut) {
         make_room([&](const Connection& other) { return other.address == address; },
@@ -84,7 +84,7 @@ class Deadlines {
     }
 
   private:
-    // Leaves room for one more among those that `counts` takes.
+    // Makes room for one more among those that `counts` accepts.
     template <typename Counts, typename Cut>
     void make_room(Counts counts, std::size_t most, Cut cut) {
         std::size_t heads = 0;

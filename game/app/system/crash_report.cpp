@@ -47,7 +47,7 @@ std::array<char, 256> program{};
 std::array<std::byte, std::size_t{64} << 10U> handler_stack{};
 std::atomic_flag is_reporting = ATOMIC_FLAG_INIT;
 
-// One line, truncated to its buffer and written by one call, so that lines of several processes do not mix.
+// One line, truncated to its buffer and written with one call, so that lines of several processes do not mix.
 class Line {
   public:
     explicit Line(bool for_journal, const char* begins = "onggi: crash: ") {
@@ -143,8 +143,8 @@ void report_and_die(int signal, siginfo_t* info, void* context) {
     ::raise(signal);
 }
 
-// A machine without memory for it is no crash of the program's: one line, and the exit code of what the
-// system lacks. Called where no thread and no start catches what it throws.
+// Reports an allocation failure that no thread has caught, with one line and the exit code for system lacks;
+// it is not a crash. The terminate handler.
 [[noreturn]] void end_without_memory_or_crash() noexcept {
     try {
         if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);

@@ -17,9 +17,9 @@ namespace onggi::app {
 // other threads start and before a supervisor's fork.
 void report_crashes();
 
-// Any one thread at a time: a crash from now on belongs to the session that is being written at `session`;
-// keep_crash_session() will keep it in `keep_in`. Empty paths mean that no visitor throws. Paths longer than
-// the system's limit count as empty.
+// From now on a crash belongs to the session that is being written at `session`; keep_crash_session() will
+// keep it in `keep_in`. Empty paths mean that no visitor is throwing. Paths longer than the system's limit
+// count as empty. One thread at a time.
 void crash_leads_to(const std::filesystem::path& session, const std::filesystem::path& keep_in) noexcept;
 
 // For a supervisor, after the death of its child: keeps the session of the crash as a hard link

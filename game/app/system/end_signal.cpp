@@ -18,7 +18,7 @@ void note(int /*signal*/) {
 }  // namespace
 
 void note_end_signals(bool locked) {
-    // The parent process may have blocked these signals, and the program inherits that: it could not be
+    // The parent process may have blocked these signals. The program inherits the mask and could then not be
     // ended.
     sigset_t heard;
     sigemptyset(&heard);

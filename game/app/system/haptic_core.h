@@ -5,8 +5,8 @@
 
 namespace onggi::app {
 
-// Chooses the core and keeps the calling thread, and all threads that it will start, off it. Call it before
-// Vulkan is created: its software driver starts threads that inherit the caller's cores. A refusal is
+// Chooses the core, and keeps the calling thread and all threads that it will start off it. Call it before
+// Vulkan is created: a software Vulkan driver starts threads that inherit the caller's cores. A refusal is
 // reported and otherwise ignored.
 [[nodiscard]] jobs::CoreChoice leave_haptic_core();
 

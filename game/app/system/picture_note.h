@@ -14,10 +14,9 @@ class PictureNote {
   public:
     explicit PictureNote(std::filesystem::path folder) : file_(std::move(folder) / "picture") {}
 
-    // Returns an empty note where the file is missing or cannot be a note.
+    // Returns an empty note if the file is missing or its content is not a note.
     [[nodiscard]] std::string read();
-    // Writes the note if it differs from the one read or kept before. Errors: the disk's; it is not tried
-    // again.
+    // Writes the note if it differs from the one last read or kept. Errors: the disk's; there is no retry.
     Result<void> keep(const std::string& note);
 
   private:

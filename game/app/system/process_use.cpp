@@ -11,7 +11,8 @@
 namespace onggi::app {
 
 std::optional<double> since_start_s() {
-    // proc(5): the program's name stands in brackets and may hold anything; the start is the 20th word after.
+    // proc(5): the program's name is in parentheses and may contain any character; the start time is the 20th
+    // word after it.
     std::ifstream file("/proc/self/stat");
     const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     const std::size_t name_end = text.rfind(')');

@@ -6,11 +6,11 @@
 
 namespace onggi::app {
 
-// Seconds since the kernel started the process, to 10 ms. Empty where /proc does not say.
+// Seconds since the kernel started the process, to 10 ms. Empty if /proc does not provide it.
 [[nodiscard]] std::optional<double> since_start_s();
 
-// Its resident memory in MB of a million bytes; memory shared with other processes is counted in full. Empty
-// where /proc does not say.
+// Its resident memory in MB of a million bytes; memory shared with other processes counts in full. Empty if
+// /proc does not provide it.
 [[nodiscard]] std::optional<double> resident_mb();
 // The resident memory that the program has allocated, without pages of files such as fonts and drivers.
 [[nodiscard]] std::optional<double> own_mb();

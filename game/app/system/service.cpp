@@ -43,7 +43,7 @@ std::vector<std::string> own_words() {
     return words;
 }
 
-// The program's path; after an update there is a new file of the same name.
+// The program's path; after an update it names the new file.
 std::string own_place() {
     std::error_code error;
     std::string place = std::filesystem::read_symlink("/proc/self/exe", error).string();

@@ -52,8 +52,8 @@ class Service {
     std::string said_;
 };
 
-// Restarts the program, as the staff's panel requests: the same program with the same arguments in the same
-// process, so that its parent, a shell or systemd, sees it go on. Main thread.
+// Restarts the program on request of the staff's panel: the same program with the same arguments in the same
+// process, so that its parent, a shell or systemd, does not see it end. Main thread.
 
 // The exit code of a supervised program that asks its supervisor for a restart, and of a kiosk that cannot
 // restart itself: "try again" (EX_TEMPFAIL of sysexits.h). A unit with Restart=always or on-failure then

@@ -25,7 +25,7 @@ constexpr const char* kFile = "starts";
 constexpr const char* kLockFile = "lock";
 
 void forget_old_falls(std::vector<std::int64_t>& falls_s, std::int64_t now_s) {
-    // A clock that was put back makes falls of the future: those count from now on.
+    // If the clock was put back, recorded crashes lie in the future: they count as of now.
     for (std::int64_t& fall_s : falls_s)
         fall_s = std::min(fall_s, now_s);
     std::erase_if(falls_s, [&](std::int64_t fall_s) { return now_s - fall_s >= kFallsCountForS; });
@@ -134,9 +134,9 @@ Error StartKeeper::end_without(Error error) {
 Result<void> GalleryLock::take(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    constexpr mode_t kMode = 0666;  // less the umask
+    constexpr mode_t kMode = 0666;  // minus the umask
     descriptor_ = ::open((folder / kLockFile).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
-    if (descriptor_ < 0) return {};  // where nothing can be written, nothing can be mixed up
+    if (descriptor_ < 0) return {};  // without a writable folder there is nothing to protect
     struct flock whole {};
     whole.l_type = F_WRLCK;
     if (::fcntl(descriptor_, F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN)) return {};

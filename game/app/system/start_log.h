@@ -57,8 +57,8 @@ class StartKeeper {
     // first.
     StartReport begin_now(std::vector<std::string>& remarks);
     Result<void> end_now();
-    // The end of a start that could not begin. Where the system lacks something, such as a display or a
-    // driver that come later, it is no crash. Returns `error`.
+    // Ends a start that failed. If the system lacks something that may appear later, such as a display or a
+    // driver, it does not count as a crash. Returns `error`.
     Error end_without(Error error);
 
   private:
@@ -68,8 +68,8 @@ class StartKeeper {
     StartLog log_;
 };
 
-// One kiosk at a gallery: a lock on FOLDER/lock, which the kernel lets go when the process ends, however it
-// ends. Held by the process alone, not by its children. Main thread.
+// Ensures that a gallery has only one kiosk: a lock on FOLDER/lock, which the kernel releases when the
+// process ends for any reason. Children do not inherit it. Main thread.
 class GalleryLock {
   public:
     GalleryLock() = default;
@@ -77,9 +77,11 @@ class GalleryLock {
     GalleryLock& operator=(const GalleryLock&) = delete;
     ~GalleryLock();
 
-    // System lacks: another process has it. Where the file system takes no lock or no file, there is none.
+    // System lacks: another process has the lock. Succeeds without a lock if the file cannot be opened or the
+    // file system has no locks.
     Result<void> take(const std::filesystem::path& folder);
-    // The other process that has it. Not to be asked by the one that has it: asking lets it go.
+    // The other process that has the lock. Precondition: this process does not have it; the query would
+    // release it.
     [[nodiscard]] static std::optional<pid_t> other_at(const std::filesystem::path& folder);
 
   private:

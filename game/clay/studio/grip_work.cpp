@@ -10,7 +10,7 @@
 
 namespace onggi::clay::studio {
 
-// How the hands follow the finger, and which grip they take.
+// The path of the hands behind the finger, and the choice of their grip.
 
 namespace {
 
@@ -223,7 +223,7 @@ GripReport report_of(const GripState& state, const dvec2& finger) noexcept {
             .high_mm = state.high_mm};
 }
 
-// What they do to the clay.
+// The moves of the hands on the clay.
 
 namespace {
 
@@ -641,7 +641,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     return open_bore(rings, bore_of(state));
 }
 
-// Solid clay that is asked to do what only hollow clay can: the other hand opens it.
+// Solid clay got a touch that needs hollow clay: the other hand opens the clay.
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
     const double widest = 0.45 * outer_face_mm(rings, 0.5 * rings.top_mm());
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);

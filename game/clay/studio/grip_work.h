@@ -31,7 +31,7 @@ struct GripTrail {
     int count = 0;
 };
 
-// One touch, from landing to lifting. All of it is state: hashed, saved, replayed.
+// One touch, from landing to lifting. All members are state: hashed, saved, replayed.
 struct GripState {
     bool presses = false;
     Grip grip = Grip::kNone;
@@ -53,7 +53,7 @@ struct GripState {
     double heading = 0.0;    // vertical fraction of the motion, -1 to 1
     double still_s = 0.0;
     double rests_mm = 0.0;   // wall pressed in by a finger that lies still
-    double wants_s = 0.0;    // how long solid clay has been asked to do what only hollow clay can
+    double wants_s = 0.0;    // time for which solid clay got a touch that needs hollow clay
     double pulled_mm = 0.0;  // rim rise by moving up below the rim
     double sunk_mm = 0.0;    // rim pressed down
     double bottom_mm = 0.0;  // bottom of the opening

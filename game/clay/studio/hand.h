@@ -16,7 +16,7 @@ using tool::Tool;
 // Bound of B: beyond it off-centre clay could not be told from an unsteady hand.
 constexpr double kLargestWobbleMm = 3.0;
 
-// What a hand remembers, and where it is in this tick.
+// A hand's memory, and its place in this tick.
 struct Hand {
     // From tick to tick: hashed, saved, replayed.
     Side side = Side::kFree;

@@ -90,8 +90,8 @@ void ease_to_seam(Rings& rings, int first, int end, double seam_mm, double radiu
     }
 }
 
-// Moves rings [first, end) aside: by the full shift far above the seam, by half of it at the seam, by 0 far
-// below.
+// Moves rings [first, end) aside: by the full shift far above the seam, by half the shift at the seam, by 0
+// far below.
 void shift_at_seam(Rings& rings, int first, int end, double seam_mm, const Joining& joining) {
     for (int i = first; i < end; ++i) {
         const double above = rings.centre_mm(i) - seam_mm;

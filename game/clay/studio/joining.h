@@ -13,8 +13,8 @@ struct Joining {
     // Rims that differ are blended towards each other over this length of both walls.
     double eased_mm = 15.0;
     double largest_step_mm = 8.0;  // of the walls' mean radii at the rims; a larger step cannot be blended
-    // Sideways offset of the upper pot, x and z in the lower pot's clay frame. Half of it is blended in on
-    // either side of the seam.
+    // Sideways offset of the upper pot, x and z in the lower pot's clay frame. On either side of the seam,
+    // half the offset is blended in.
     dvec2 shift_mm{0.0};
     // Clay pressed into the seam stands out on both faces, this high, over this length to either side.
     double ridge_mm = 0.4;

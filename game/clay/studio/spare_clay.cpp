@@ -27,7 +27,7 @@ void share_among_all(Rings& rings, double free_mm3) noexcept {
     rings.settle(0, rings.count);
 }
 
-// How much of the clay each ring near y may take or spare, in weight; gives the sum.
+// Sets the weight of each ring near y: the clay that it may take or spare. Returns their sum.
 double weigh_near(const Rings& rings, std::vector<double>& weight, double y, bool gives,
                   const Rings::Range& near) noexcept {
     double whole = 0.0;

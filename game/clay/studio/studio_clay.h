@@ -85,8 +85,7 @@ Result<void> check(const StudioLump& lump);
 //   the clay as fast as it may instead of not at all. The refusal stays as the final check.
 // Differs: sectors do not take part in the flow of the mean circle. A bump passing under the hand would cone
 //   the whole ring, as off-centre clay would.
-// Differs: forces use the depth before the tick's flow; the flow removes about a hundredth of it.
-// Differs: at 2 kHz and faster, walls yield as a whole in every second tick at most; load, slump, split and
+// Differs: forces use the depth before the tick's flow, which removes about a hundredth of that depth.
 //   join run in the ticks between, each with the time step of both.
 class StudioClay {
   public:
@@ -176,17 +175,17 @@ class StudioClay {
     template <typename Self, typename Visitor>
     static void visit_state(Self& self, Visitor& visitor);
 
-    // Which of the hands no grip guides in this tick; the second may be the assist.
+    // The hands that no grip guides in this tick; the second may be the assist.
     struct Hands {
         std::array<bool, 2> present{};
         bool opposite = false;  // each bears against the other, across a wall
     };
 
     void use_wire(const tool::ToolState& tool);
-    // touch: of those that press, and are not guided. Leaves them in hands_, and in contacts_ what each of
-    // them touches.
+    // touch: whether the first hand presses and is not guided. Fills in hands_ and, for each hand present,
+    // its contact in contacts_.
     Hands find_hands(const tool::ToolState& tool, const StudioParameters& parameters, bool touch);
-    // What the hands feel, then what they do to the clay.
+    // Computes the forces on the hands, then lets the hands work the clay.
     void work_hands(const Hands& hands, double water, const StudioParameters& parameters,
                     StudioForces& result);
     studio::Changed act(studio::Contact& contact, const studio::Hand& hand, const studio::Hand* other,

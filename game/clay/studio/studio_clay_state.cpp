@@ -180,7 +180,7 @@ Result<StudioClay> StudioClay::from_start_state(std::span<const std::byte> bytes
     return clay;
 }
 
-// Returns what is wrong with a state that no tick could have left; empty if it is sound. Heights and places
+// Returns the fault of a state that no tick could have left; empty if the state is sound. Heights and places
 // are not checked: they are computed later.
 std::string StudioClay::damage_of(const StudioClay& clay) {
     const Rings& rings = clay.rings_;

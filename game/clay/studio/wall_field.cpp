@@ -110,7 +110,8 @@ double wall_slope(const Rings& rings, int i) noexcept {
     if (highest > i) high = highest;
     if (low == high || rings.is_hollow(low) != hollow || rings.is_hollow(high) != hollow) return 0.0;
     const double rise = rings.centre_mm(high) - rings.centre_mm(low);
-    // The slope of solid clay is that of its outer face; half of it is the middle between face and axis.
+    // The slope of solid clay is that of its outer face; the middle between face and axis has half that
+    // slope.
     const double run = 0.5 * ((rings.outer_mm[at(high)] + rings.inner_mm[at(high)]) -
                               (rings.outer_mm[at(low)] + rings.inner_mm[at(low)]));
     return std::clamp(run / rise, -kSteepest, kSteepest);

@@ -1,5 +1,5 @@
-// A composed screen: where every picture lies, what can be pressed, and what stands in words where. Made
-// beside the frame, drawn and asked by the frame. Any thread; not changed once made. Lengths are u.
+// A composed screen: its pictures, targets and texts with their places. Composed on a background thread,
+// drawn and queried by the frame. Immutable; any thread. Lengths are u.
 #pragma once
 
 #include <array>
@@ -18,55 +18,55 @@ namespace onggi::screens {
 
 struct Item {
     ui::Rect rect;
-    std::uint64_t key = 0;                         // of its painting in the atlas; 0: a shaded box
+    std::uint64_t key = 0;                         // key of its painting in the atlas; 0: a shaded box
     std::shared_ptr<const ui::Painting> painting;  // null: a shaded box
     std::array<ui::Colour, 4> corners{};           // of a box: top left, top right, bottom right, bottom left
-    int target = -1;                               // it sinks with this target when that is pressed
+    int target = -1;                               // sinks while this target is pressed
     std::uint64_t pressed_key = 0;
     std::shared_ptr<const ui::Painting> pressed_painting;
-    float alpha = 1.0F;  // less: it cannot be used now
+    float alpha = 1.0F;  // less than 1: disabled
     bool is_words = false;
-    std::shared_ptr<const TurningPot> turning;  // its painting is how it begins
+    std::shared_ptr<const TurningPot> turning;  // `painting` is its first picture
 };
 
 struct Target {
     kiosk::Button button = kiosk::Button::kNone;
     int value = 0;
     ui::Rect rect;
-    std::string name;      // spoken, and shown beside the scanning ring
-    bool repeats = false;  // while held
-    ui::Rect also{};       // what it stands for, in the picture: touching that presses it too
+    std::string name;      // spoken, and shown next to the scanning ring
+    bool repeats = false;  // repeats while held
+    ui::Rect also{};       // the object in the picture that the target stands for, which can be pressed too
 
     [[nodiscard]] bool lies_under(vec2 at) const { return rect.contains(at) || also.contains(at); }
 };
 
-// For the audit: a text as it stands.
+// A text and its place, for the audit.
 struct Writing {
     std::string words;
-    ui::Rect rect;  // of its lines, without the air between them
+    ui::Rect rect;  // of its lines, without the line spacing
     float size = 0.0F;
     ui::Colour colour;
-    ui::Rect within;  // the box it must not leave
+    ui::Rect within;  // the box that it must fit into
     int unknown_glyphs = 0;
     bool too_wide = false;
-    bool over = false;    // laid over other words, which it hides
-    bool on_pot = false;  // allowed to stand over a pot's box: cards do
+    bool over = false;    // covers other words
+    bool on_pot = false;  // may overlap a pot's box, as cards do
 };
 
 // The three forces of a touch, as in Fig. 6 of the paper, and their sum, Eq. (3).
 enum class Force { kStiffness, kViscosity, kFriction, kTotal };
 constexpr std::size_t kForceCount = 4;
 
-// What the stage shows forces with, besides its arrows: a name for the head of each, digits for the numbers
-// that change from frame to frame, and where in the panel they go.
+// The parts that the stage needs to show forces, apart from its arrows: a name for each arrow, digits for the
+// changing numbers, and the places in the panel.
 struct ForceParts {
-    std::array<Item, kForceCount> names;  // only their size and painting count
+    std::array<Item, kForceCount> names;  // only size and painting are used
     std::array<Item, 10> digits;
     Item point;
     bool has_panel = false;
-    // Of each number, its right end and the middle of its height.
+    // The right end and vertical middle of each number.
     std::array<vec2, kForceCount> value_at{};
-    vec2 full_at{0.0F};  // what the height of the force's plot stands for
+    vec2 full_at{0.0F};  // the label of the force plot's full height
     vec2 rate_at{0.0F};
     ui::Rect force_plot;
     ui::Rect rate_plot;
@@ -76,15 +76,15 @@ struct Composition {
     ui::Rect bounds;  // 0, 0, width, height
     float px_per_u = 1.0F;
     float mm_per_u = 0.4151F;
-    bool covers = false;           // nothing of the scene is seen
-    bool plays_by_itself = false;  // for nobody in particular
+    bool covers = false;           // hides the scene completely
+    bool plays_by_itself = false;  // without an audience
     std::vector<Item> items;
     std::vector<Target> targets;
     std::vector<Writing> writings;
-    std::vector<ui::Rect> pots;                // no words in these
-    std::shared_ptr<const ForceParts> forces;  // where forces may be shown
-    bool has_cue = false;                      // where the clay may be touched
-    // Why it does less than the finger asks, as pictures; only their size and painting count.
+    std::vector<ui::Rect> pots;                // must stay free of words
+    std::shared_ptr<const ForceParts> forces;  // set if forces may be shown
+    bool has_cue = false;                      // the clay can be touched, so cues are shown
+    // Labels of the reasons why the clay follows the finger only in part; only size and painting are used.
     std::array<Item, kCueGuardCount> guard_words;
 };
 

@@ -19,7 +19,7 @@ std::size_t points_of(const Band& band) {
     return std::min(band.upper.size(), band.lower.size());
 }
 
-// Slanting stripes between the edges of a band.
+// Draws slanted stripes between the edges of a band.
 void draw_hatch(DrawList& list, const Band& band, const Colour& colour, float drift, float u) {
     const std::size_t count = points_of(band);
     const auto along = [&](const std::vector<vec2>& edge, float fraction) {
@@ -55,7 +55,7 @@ void draw_slip(DrawList& list, const Band& belt, float alpha) {
     }
 }
 
-// Dots from the hands to the finger, and a ring round the finger.
+// Draws dots from the hands to the finger, and a ring round the finger.
 void draw_thread(DrawList& list, const Thread& thread, float alpha, float u) {
     constexpr float kPitchU = 11.0F;
     constexpr float kRingU = 12.0F;
@@ -77,7 +77,7 @@ void draw_thread(DrawList& list, const Thread& thread, float alpha, float u) {
     both(3.4F, design::kOutline.with_alpha(strength));
 }
 
-// Dots that lead to a head, cream over dark.
+// Draws an arrow of dots with a head, cream over dark.
 void draw_way(DrawList& list, CueWay way, vec2 from, float alpha, float u) {
     constexpr int kDots = 5;
     constexpr float kPitchU = 17.0F;

@@ -1,4 +1,4 @@
-// Draws the cues on the clay, every frame: the belt where a touch takes hold, the arrow in the direction of
+// Draws the cues on the clay in every frame: the belt where a touch acts, the arrow in the direction of
 // motion, the thread from a finger to hands that lag behind it, and the hatched band of a warning. Main
 // thread. Pixels.
 #pragma once
@@ -16,10 +16,10 @@ struct Band {
     std::vector<vec2> lower{};
 };
 
-// The reason why the clay follows the finger only in part, if it does.
+// The reason why the clay follows the finger only in part; kNone if it follows fully.
 enum class CueGuard { kNone, kNoMoreClay, kAsNarrow, kAsWide, kAsLow, kNearLimit };
 constexpr int kCueGuardCount = 6;
-// The key of its text; empty for kNone.
+// The language tables' key of the reason; empty for kNone.
 [[nodiscard]] std::string_view key_of(CueGuard guard);
 
 // The direction of a hand's motion on the screen.
@@ -34,7 +34,7 @@ struct Thread {
 struct Cue {
     Band belt{};  // may be empty
     std::vector<vec2>
-        ring{};  // replaces the belt on top of the clay, where the middle is opened; a closed line
+        ring{};  // a closed line on top of the clay, which replaces the belt when the middle is opened
     Thread thread{};
     CueWay way = CueWay::kNone;
     vec2 way_px{0.0F};  // start of the arrow

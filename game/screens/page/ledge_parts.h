@@ -1,5 +1,5 @@
-// What all ledges under the clay are made of: where their rows lie, steppers and tokens with a name below.
-// The composer's thread.
+// The parts of all ledges under the clay: rows, steppers, and tokens with a name below. The composer's
+// thread.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace onggi::screens {
 
-// What larger text has made the ledge higher by, for the caption's row and for the labels below the tokens.
+// The ledge's extra height with larger text, for the caption's row and the labels below the tokens.
 struct LedgeGrowth {
     float caption = 0.0F;
     float labels = 0.0F;
@@ -16,15 +16,15 @@ struct LedgeGrowth {
 [[nodiscard]] LedgeGrowth growth(const Page& page);
 
 [[nodiscard]] float ledge_top(const Page& page);
-// Of the names below one row.
+// The height of the names below one row.
 [[nodiscard]] float label_height(const Page& page);
-// Where the tokens' row begins; on a tall picture there is another below it.
+// The top of the tokens' row; a tall picture has a second row below it.
 [[nodiscard]] float row_y(const Page& page);
 [[nodiscard]] float second_row_y(const Page& page);
-// Words begin where the hand does.
+// Words are aligned to the hand's side.
 [[nodiscard]] ui::Align along_ledge(const Page& page);
 
-// What a stepper changes.
+// The setting that a stepper changes.
 struct Setting {
     Icon icon;
     const char* key;
@@ -37,13 +37,13 @@ struct Setting {
 [[nodiscard]] Setting water_setting(const kiosk::Throwing& throwing);
 [[nodiscard]] Setting speed_setting(const kiosk::Throwing& throwing);
 
-// `place` is of a ledge for the right hand, read from the left. `rests`: to be seen and not to be pressed.
+// `place` is for a right-handed, left-to-right ledge. `rests`: visible but disabled.
 void add_stepper(Page& page, const ui::Rect& place, const Setting& setting, bool rests);
-// A token with its name below, that wide at most; gives its target.
+// Adds a token with its name below, at most `label_width` wide; returns its target.
 int add_round(Page& page, const ui::Rect& place, Icon icon, kiosk::Button button, const char* key,
               float label_width, int value = 0);
 
-// One of several to choose from, or what is on or off.
+// One of several choices, or a switch.
 struct LedgeChoice {
     Icon icon;
     const char* key;
@@ -51,19 +51,19 @@ struct LedgeChoice {
     int value = 0;
     bool chosen = false;
 };
-// A token with its name below, that high and wider than it by `spread` to either side; what is chosen is
-// ticked and underlined.
+// Adds a token with its name below, `name_height` high and `spread` wider than the token on each side; the
+// chosen one is ticked and underlined.
 void add_choice(Page& page, const ui::Rect& place, const LedgeChoice& choice, float name_height,
                 float spread);
 
-// What the step that is being done is called: below the steps and that wide, or from `beside` on to their
-// right.
+// The name of the current step: below the steps and `wide` u wide, or to their right from `beside`.
 void add_step_caption(Page& page, const std::string& text, float wide, float beside);
-// Above the ledge, where the token of languages is brought low; `tall_x`: its left edge on a tall picture.
+// The place of the languages' token above the ledge with low controls; `tall_x` is its left edge on a tall
+// picture.
 [[nodiscard]] ui::Rect low_languages(const Page& page, float tall_x = design::kMargin);
 // The four keys that move the hand.
 void add_hand_pad(Page& page);
-// A card as high as its words, or where that is too high, words as small as it takes; gives where it is.
+// Adds a card as high as its words; if that exceeds `most`, shrinks the words. Returns its place.
 ui::Rect add_paper(Page& page, const ui::Rect& most, const std::vector<Words>& lines);
 
 }  // namespace onggi::screens

@@ -23,10 +23,10 @@ constexpr float kShadowReach = 14.0F;  // of a token, u
 
 constexpr float kMuseumElevationRad = 0.12F;
 
-// Number of compositions for which an unused painting is kept, so that opening and closing a panel repaints
+// Keep an unused painting for this number of compositions, so that opening and closing a panel repaints
 // nothing.
 constexpr int kPatience = 24;
-// Limit of the unused paintings' memory, newest first: enough for a screen with a turning pot, but not for a
+// Limit of the memory of unused paintings, newest first: enough for a screen with a turning pot, not for a
 // whole visit.
 constexpr std::size_t kMostUnusedBytes = std::size_t{6} << 20U;
 
@@ -75,7 +75,7 @@ Page::Page(const View& view, ui::Painter& painter, PaintingStore& store)
 
 float Page::smaller(float size, float base) const {
     constexpr float kStep = 0.96F;
-    constexpr float kLargeText = 1.5F;  // from here on the middle of the three sizes
+    constexpr float kLargeText = 1.5F;  // from this scale on, the middle one of three sizes
     const float least = base * legible_scale_;
     const float below = 0.9999F * size;
     if (size <= 1.0001F * least) return kStep * size;
@@ -98,8 +98,8 @@ std::string Page::digits(std::string_view number, int place) const {
 }
 
 std::string Page::measure(std::string_view number, std::string_view unit_key, int place) const {
-    // Number and unit stay in this order and on one line, also inside Arabic: U+00A0 between them. The number
-    // is isolated as left-to-right (U+2066 to U+2069), so that "91 x 154" is not reversed.
+    // U+00A0 keeps number and unit on one line and in this order, also inside Arabic. The number is isolated
+    // as left-to-right (U+2066 to U+2069), so that "91 x 154" is not reversed.
     return "\u2066" + digits(number, place) + "\u2069\u00a0" + language(place).shown(unit_key);
 }
 
@@ -183,7 +183,7 @@ float Page::words(const Rect& rect, const Words& wanted, bool on_pot) {
     type.size *= text_scale_;
     ui::Text text;
     ui::TextSize size;
-    // Tries the wanted size, then smaller ones until it fits.
+    // Tries the wanted size, then smaller ones until one fits.
     for (;; type.size = std::max(type.least_size, smaller(type.size, wanted.type.size))) {
         type.line = type.size * line_ratio;
         text = {.words = words.text, .style = style(words), .width = rect.width};
@@ -281,7 +281,7 @@ int Page::add_target(const Rect& rect, kiosk::Button button, int value, std::str
     return static_cast<int>(composition_.targets.size()) - 1;
 }
 
-// Places the name above the ring, or below it where there is no room or other words are.
+// Places the name above the ring, or below it if there is no room or other words are there.
 void Page::name_ring(const Rect& ring, const std::string& name) {
     constexpr float kEdge = 24.0F;
     const float high = 20.0F + 32.0F * text_scale_;
@@ -309,7 +309,7 @@ void Page::name_ring(const Rect& ring, const std::string& name) {
 }
 
 Composition Page::take() {
-    // Draws the ring on the target of keyboard or switch, with its name.
+    // Draws the focus ring of keyboard or switch on its target, with the target's name.
     const int focus = view_.focus;
     if (focus >= 0 && focus < static_cast<int>(composition_.targets.size())) {
         const Target target = composition_.targets[static_cast<std::size_t>(focus)];
@@ -325,9 +325,9 @@ Composition Page::take() {
     return std::move(composition_);
 }
 
-// The design's parts: tokens, steppers, cards, niches.
+// The parts of the design: tokens, steppers, cards, niches.
 
-// A glazed pebble with a foot of bare clay; when pressed it sinks until the foot is hidden.
+// A glazed pebble with a foot of bare clay; when pressed, it sinks until the foot is hidden.
 void Page::token_body(ui::Sketch& sketch, const Rect& rect, Look look, bool pressed) const {
     const float radius = std::min(40.0F, 0.5F * rect.height);
     if (look == Look::kOutline) {
@@ -538,7 +538,7 @@ Rect Page::languages_token(const Rect& low) {
 
 void Page::look_in_token(const Rect& languages) {
     const bool inside = view_.state.throwing.looks_in;
-    // The label is on the side of the picture's middle.
+    // The label is on the side towards the picture's middle.
     const bool is_right_of = languages.centre().x < 0.5F * width();
     const Rect rect{is_right_of ? languages.right() + 16.0F : languages.x - 100.0F, languages.y - 3.0F, 84.0F,
                     66.0F};
@@ -585,7 +585,8 @@ void Page::toggle(const Rect& rect, Icon icon, bool on, kiosk::Button button, co
 
 void Page::museum(vec2 light, vec2 reach, float strength) {
     covers();
-    // A radial fall-off as a grid of shaded boxes, which a processor fills five times as fast as a texture.
+    // A radial fall-off as a grid of shaded boxes: the software renderer fills them five times as fast as a
+    // texture.
     constexpr int kColumns = 32;
     constexpr int kRows = 18;
     const Rect& bounds = composition_.bounds;
@@ -733,7 +734,7 @@ std::shared_ptr<const TurningPot> PaintingStore::turning(const pot::Section& sha
     return kept.value;
 }
 
-// Sums the bytes of unused paintings by the number of compositions since their last use.
+// Sums the bytes of unused paintings by age, in compositions since their last use.
 void PaintingStore::forget_unused() {
     if (paints_ != Paints::kAll) return;
     std::array<std::size_t, kPatience + 1> unused_bytes{};

@@ -1,5 +1,6 @@
 // Builds one composition from the design's parts: tokens, steppers, cards, words, scrims, the ledge. Places
-// are for a left-to-right screen and mirrored here, except as noted. The composer's thread. Lengths are u.
+// are given for a left-to-right screen and mirrored here, except as noted. The composer's thread. Lengths are
+// u.
 #pragma once
 
 #include <span>
@@ -28,12 +29,12 @@ class PaintingStore {
         : painter_(painter),
           paints_(paints) {}
     std::shared_ptr<const ui::Painting> get(const ui::Sketch& sketch, std::uint64_t& key);
-    // The painting of a pot.
+    // Returns the painting of a pot.
     std::shared_ptr<const PotPicture> pot(const pot::Section& shape, const finish::GlazeMaterial& glaze,
                                           float px_per_mm, float elevation_rad);
     std::shared_ptr<const TurningPot> turning(const pot::Section& shape, const finish::GlazeMaterial& glaze,
                                               float px_per_mm, float elevation_rad, std::uint64_t& key);
-    // Drops paintings that the last few compositions did not use, earlier if they are large.
+    // Drops paintings that the last compositions did not use; large ones earlier.
     void forget_unused();
 
   private:
@@ -57,10 +58,10 @@ struct Words {
     int language = -1;  // -1: the visitor's
 };
 
-// Lines one below the other, shrunk together to fit their room.
+// Lines one below the other, scaled together to fit their room.
 struct FittedLines {
     std::vector<Words> lines;
-    std::vector<float> heights;  // each with the gap to the next
+    std::vector<float> heights;  // each includes the gap to the next
     float height = 0.0F;
 };
 
@@ -82,31 +83,31 @@ class Page {
     [[nodiscard]] bool right_to_left() const { return language().right_to_left(); }
     [[nodiscard]] const View& view() const { return view_; }
     [[nodiscard]] float text_scale() const { return text_scale_; }
-    // The next smaller size of words to try, or the next smaller scale (base 1). The steps do not depend on
-    // the start, so that choosing larger words never yields smaller ones.
+    // Returns the next smaller size of words to try, or the next smaller scale (base 1). The steps do not
+    // depend on the start, so that a larger text setting never yields smaller words.
     [[nodiscard]] float smaller(float size, float base) const;
     // Low controls: all targets are in the lower half, for seated or small visitors.
     [[nodiscard]] bool is_low() const { return view_.state.comfort.reach; }
-    // The distance by which the lower half begins below the design's; 0 without low controls.
+    // The distance between the start of the lower half and that of the design's; 0 without low controls.
     [[nodiscard]] float lower_by() const {
         return is_low() ? 0.5F * (height() - design_size(shape_).y) : 0.0F;
     }
     [[nodiscard]] float px_per_u() const { return composition_.px_per_u; }
 
-    // The visitor's language, or another.
+    // The visitor's language (-1) or another.
     [[nodiscard]] const kiosk::Language& language(int place = -1) const;
     [[nodiscard]] const std::string& t(std::string_view key) const { return language().shown(key); }
     [[nodiscard]] std::string t(std::string_view key, std::string_view n) const {
         return language().shown(key, n);
     }
-    // Converts to the language's digits and decimal sign.
+    // Returns the number with the language's digits and decimal sign.
     [[nodiscard]] std::string digits(std::string_view number, int place = -1) const;
-    // "305 mm", as a left-to-right run within a line of any direction.
+    // Returns, for example, "305 mm", as a left-to-right run within a line of any direction.
     [[nodiscard]] std::string measure(std::string_view number, std::string_view unit_key,
                                       int place = -1) const;
     [[nodiscard]] std::string whole_mm(double length_mm, int place = -1) const;
 
-    // The rect, mirrored on a mirrored screen (ledge: also for the left hand).
+    // Returns the rect mirrored on a right-to-left screen; on_ledge() mirrors for the left hand too.
     [[nodiscard]] ui::Rect mirrored(const ui::Rect& rect) const;
     [[nodiscard]] float mirrored(float x) const { return right_to_left() ? width() - x : x; }
     [[nodiscard]] ui::Rect on_ledge(const ui::Rect& rect) const;
@@ -116,7 +117,7 @@ class Page {
     void down(const ui::Rect& rect, const ui::Colour& top, const ui::Colour& bottom);
     void across(const ui::Rect& rect, const ui::Colour& left, const ui::Colour& right);
     void sprite(const ui::Rect& rect, ui::Sketch sketch, int target = -1);
-    // One line that the stage places: at least `least_width` wide, with or without a dark chip.
+    // One line of words that the stage places: at least `least_width` wide, with or without a dark chip.
     [[nodiscard]] Item loose_words(const Words& words, float least_width, bool on_chip);
     // Records words that the stage places in each frame, for the audit.
     void keep_loose(Writing writing) { composition_.writings.push_back(std::move(writing)); }
@@ -133,9 +134,9 @@ class Page {
     // box. Returns the used height.
     float words(const ui::Rect& rect, const Words& words, bool on_pot = false);
     [[nodiscard]] float words_width(const Words& words);
-    // The size of the words wrapped in that width, with their size multiplied by `scale`.
+    // Returns the size of the words, scaled by `scale` and wrapped to `width`.
     [[nodiscard]] ui::TextSize words_size(Words words, float scale, float width);
-    // Words that ignore the visitor's text size: numbers on cards, the staff's panel.
+    // Adds words that ignore the visitor's text size: numbers on cards, the staff's panel.
     float fixed_words(const ui::Rect& rect, const Words& words);
     [[nodiscard]] FittedLines fitted(std::vector<Words> lines, vec2 room, float between = 0.0F);
     void fitted_words(const ui::Rect& rect, const FittedLines& fitted);
@@ -146,39 +147,39 @@ class Page {
     void back_token(const ui::Rect& rect, kiosk::Button button = kiosk::Button::kBack) {
         token(rect, Look::kOutline, button, t("ctl.back"), 0, right_to_left() ? Icon::kRight : Icon::kLeft);
     }
-    // Dots along the line through those points, cream over dark.
+    // Draws dots along the line through these points, cream over dark.
     void dotted(std::span<const vec2> points);
-    // Without `less` it is visible but disabled.
+    // Without `less` the stepper is visible but disabled.
     void stepper(const ui::Rect& rect, Icon icon, int dots, int on, kiosk::Button less, kiosk::Button more,
                  const std::string& name, bool reversed);
     void label(const ui::Rect& rect, const std::string& text, const ui::Colour& colour = design::kSlip);
     void card(const ui::Rect& rect, const ui::Colour& top, const ui::Colour& bottom, int target = -1);
     int card_target(const ui::Rect& rect, bool celadon, kiosk::Button button, int value,
                     const std::string& name);
-    // A dark niche, or a paper one if chosen.
+    // Adds a dark niche; a chosen one has the colour of paper.
     int card_niche(const ui::Rect& rect, bool chosen, kiosk::Button button, int value,
                    const std::string& name);
-    // Opens the choice of languages; with low controls it is at `low` (of a left-to-right screen). Returns
-    // its place.
+    // Adds the button for the choice of languages; with low controls at `low`, a place on a left-to-right
+    // screen. Returns its place.
     ui::Rect languages_token(const ui::Rect& low);
     void look_in_token(const ui::Rect& languages);
     // Darkens the picture beyond the photographed room, with a soft edge.
     void scene_ends();
-    // A language by its own name and script.
+    // Adds a language by its own name and script.
     void language_token(const ui::Rect& rect, int place, bool chosen);
     void toggle(const ui::Rect& rect, Icon icon, bool on, kiosk::Button button, const std::string& name);
-    // A target without a picture; the caller draws it.
+    // Adds a target without a picture; the caller draws it.
     int plain_target(const ui::Rect& rect, kiosk::Button button, int value, const std::string& name) {
         return add_target(rect, button, value, name, false);
     }
-    // The index of English among the languages, else the first.
+    // The index of English among the languages, or 0 if it is missing.
     [[nodiscard]] int english() const;
 
-    // The museum's wall in the evening with a pool of light, and the shelf.
+    // Draw the museum's wall in the evening with a pool of light, and the shelf.
     void museum(vec2 light, vec2 reach, float strength);
     void shelf(float top, float thickness);
     void pot_shadow(float centre_x, float y, float radius, float height);
-    // Adds a pot on that foot at `u_per_mm`; returns the rect that it covers.
+    // Adds a pot with its foot at `foot`, at `u_per_mm`. Returns the rect that it covers.
     ui::Rect pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float u_per_mm, vec2 foot,
                  float brightness = 1.0F);
     // The same for a turning pot.
@@ -186,7 +187,7 @@ class Page {
                          vec2 foot);
     void ledge(float y);
 
-    // Makes the newest target also react to touches in this rect of the picture.
+    // Makes the newest target react to touches in this rect of the picture too.
     void also_touched_at(const ui::Rect& rect) { composition_.targets.back().also = rect; }
     void keep_clear(const ui::Rect& pot) { composition_.pots.push_back(pot); }
     [[nodiscard]] Composition take();
@@ -205,7 +206,7 @@ class Page {
     Composition composition_;
     Shape shape_ = Shape::kWide;
     float text_scale_ = 1.0F;
-    float legible_scale_ = 1.0F;  // the part of text_scale_ for the distance
+    float legible_scale_ = 1.0F;  // the factor of text_scale_ that serves the distance
 };
 
 }  // namespace onggi::screens

@@ -25,7 +25,7 @@ PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& gla
                      float elevation_rad) {
     const LitPot pot(shape, glaze, px_per_mm, elevation_rad);
     PotPicture picture{.painting = empty_painting(pot.view.extent()), .foot_px = pot.view.extent().foot_px};
-    std::vector<PotPixel> pixels;  // of one band, because those of a large picture take many MB
+    std::vector<PotPixel> pixels;  // one band at a time: the pixels of a large picture take many MB
     pot.view.visit_bands([&](const PotSamples& samples) {
         pixels.clear();
         add_pixels(samples, pot, pixels);

@@ -1,4 +1,4 @@
-// A small picture of a finished pot, painted on a processor beside the frame: for the many pots of shelves,
+// A small picture of a finished pot, rendered on the CPU beside the frame, for the many pots of shelves,
 // niches and cards. Orthographic view, slightly from above; window light from the left. Any thread; pure.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace onggi::screens {
 
-// The size of its picture in pixels, and the place of the foot's centre in it.
+// The size of a pot's picture in pixels, and the foot's centre in it.
 struct PotExtent {
     int width_px = 0;
     int height_px = 0;
@@ -18,11 +18,11 @@ struct PotExtent {
 
 struct PotPicture {
     ui::Painting painting;
-    // The foot's centre, pixels from the top left.
+    // The foot's centre, in pixels from the top left.
     vec2 foot_px{0.0F};
 };
 
-// elevation: of the eye above the horizon.
+// elevation_rad: of the eye above the horizon.
 [[nodiscard]] PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze,
                                    float px_per_mm, float elevation_rad);
 

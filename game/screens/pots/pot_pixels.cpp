@@ -9,11 +9,11 @@ namespace onggi::screens {
 namespace {
 
 constexpr float kWhole = 65535.0F;
-// Columns round the pot: a power of two, one or two per visible pixel in front.
+// The number of columns round the pot: a power of two, one or two per visible pixel in front.
 int columns_for(int width_px) {
     return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(width_px * 16 / 5, 64, 1024))));
 }
-// Rows up the pot: about one per pixel.
+// The number of rows up the pot: about one per pixel.
 int rows_for(int height_px) {
     return std::clamp(height_px * 9 / 10, 64, 1024);
 }
@@ -24,7 +24,7 @@ std::array<std::uint16_t, 3> packed(const vec3& colour) {
             static_cast<std::uint16_t>(numbers.z)};
 }
 
-// encoded_pot_light(), channel by channel, from a table: pixels are painted by the hundred thousand.
+// Tabulates encoded_pot_light() for one channel, because hundreds of thousands of pixels need it.
 class Encoding {
   public:
     Encoding() {
@@ -128,7 +128,8 @@ void add_pixels(const PotSamples& samples, const LitPot& pot, std::vector<PotPix
             PotPixel pixel;
             std::optional<bool> inside;
             const int count = samples.visit_pixel(x, y, [&](const PotSurface& surface) {
-                // Uses the colours of the first sample's side; in a pixel on the rim both sides are similar.
+                // Uses the colours of the first sample's side; on the rim, where a pixel shows both, they are
+                // similar.
                 if (!inside) inside = surface.inside;
                 const PotLight light = pot.shading.light(surface);
                 pixel.factor += light.factor;

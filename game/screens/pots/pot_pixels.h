@@ -1,5 +1,5 @@
-// The pixels of a picture of a pot in two parts: the fixed part (light, gloss, outline) and the pot's own
-// colours, which rotate under it. Any thread. mm; linear light.
+// The pixels of a pot's picture in two parts: light, gloss and outline are fixed, and the pot's own colours
+// rotate under them. Any thread. mm; linear light.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ class PotColours {
     PotColours(float height_mm, const finish::GlazeMaterial& glaze, const PotShading& shading,
                const PotExtent& extent, bool is_drawn_on);
 
-    // Rows from the foot up, then the foot's own, then the inside's if they differ.
+    // Rows ascend from the foot, then follow the foot's own row and, if it differs, the inside's.
     [[nodiscard]] float row_of(const PotSurface& surface, bool inside) const;
     // The column at rotation 0.
     [[nodiscard]] float column_of(const PotSurface& surface) const;
-    // The rotation in columns; turn: in turns, modulo 1.
+    // Converts a rotation, in turns modulo 1, to columns.
     [[nodiscard]] float columns_turned(double turn) const;
-    // Interpolates between columns for smooth rotation, and between rows for rings without steps. column:
-    // including the rotation, not negative.
+    // Interpolates between columns, so that the rotation is smooth, and between rows, so that rings show no
+    // steps. `column` includes the rotation and is not negative.
     [[nodiscard]] vec3 at(float row, float column) const;
 
     [[nodiscard]] std::size_t bytes() const { return colours_.size() * sizeof(Colour); }
@@ -70,11 +70,11 @@ struct LitPot {
 // Appends the pixels of a band's samples.
 void add_pixels(const PotSamples& samples, const LitPot& pot, std::vector<PotPixel>& pixels);
 
-// Writes them into a painting of the picture's size.
+// Writes the pixels into a painting of the picture's size.
 void paint_pixels(const std::vector<PotPixel>& pixels, const PotColours& colours, double turn,
                   ui::Painting& painting);
 
-// A transparent painting.
+// Returns a transparent painting.
 [[nodiscard]] ui::Painting empty_painting(const PotExtent& extent);
 
 }  // namespace onggi::screens

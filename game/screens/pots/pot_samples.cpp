@@ -9,11 +9,11 @@
 namespace onggi::screens {
 namespace {
 
-// Keeps the middle of an edge within a seventh of a pixel of the circle: R (1 - cos(pi/n)).
+// The middle of an edge deviates from the circle by at most a seventh of a pixel: R (1 - cos(pi/n)).
 int corners_of(float radius_px) {
     return radius_px < 48.0F ? 48 : radius_px < 192.0F ? 96 : 192;
 }
-// The distance between rows, not finer than the sections of pots.
+// The distance between rows, no finer than the sections of pots.
 float finest_mm(float px_per_mm) {
     return std::max(1.2F, 0.75F / px_per_mm);
 }
@@ -94,7 +94,7 @@ std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
     return fine;
 }
 
-// The section as one line, up the outside and down the inside to the disc of the floor.
+// The section as one line: up the outside and down the inside to the floor.
 pot::Walk walk_of(const pot::Section& shape, float row_mm) {
     pot::Walk walk;
     for (const std::vector<vec2>* side : {&shape.outside, &shape.inside}) {
@@ -117,7 +117,7 @@ PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad
     : extent_(pot_extent(shape, px_per_mm, elevation_rad)) {
     const pot::Walk walk = walk_of(shape, finest_mm(px_per_mm));
     if (walk.rows.empty()) return;
-    // Unwrapped, so that each corner has one angle.
+    // Unwrapped: each corner has a single angle.
     pot::SurfaceBuilder surface(corners_of(shape.radius_mm() * px_per_mm), true);
     surface.add_walk(walk);
     surface.finish_normals();

@@ -10,7 +10,7 @@
 
 namespace onggi::screens {
 
-// Samples per pixel in each direction; rows from the top.
+// Samples per pixel in each direction.
 constexpr int kSamplesAcross = 2;
 
 // The samples of the picture or of a band.
@@ -21,7 +21,7 @@ struct PotSamples {
     std::vector<PotSurface> surface{};
     std::vector<char> covered{};
 
-    // Calls visit(surface) for the samples of a pixel that show the pot; returns their number.
+    // Calls visit(surface) for each sample of a pixel that shows the pot. Returns their number.
     template <typename Visit>
     int visit_pixel(int x, int y, Visit visit) const {
         int count = 0;
@@ -37,7 +37,7 @@ struct PotSamples {
     }
 };
 
-// Rows of pixels per band: a band takes 1 or 2 MB, a whole large picture 30.
+// Rows of pixels per band. A band takes 1 or 2 MB, a whole large picture 30 MB.
 constexpr int kBandPx = 32;
 
 // Rows of pixels.
@@ -46,15 +46,15 @@ struct PotBand {
     int height_px = std::numeric_limits<int>::max();  // to the picture's end
 };
 
-// A pot in an orthographic view, elevation_rad above the horizon: its surface, built once, and the samples of
-// any band. A sample is bit-identical in every band.
+// A pot in an orthographic view, elevation_rad above the horizon. The surface is built once, the samples per
+// band. A sample is bit-identical in every band.
 class PotView {
   public:
     PotView(const pot::Section& shape, float px_per_mm, float elevation_rad);
 
     [[nodiscard]] const PotExtent& extent() const { return extent_; }
     [[nodiscard]] PotSamples samples(const PotBand& band = {}) const;
-    // Calls visit(samples) for each band from the top, of kBandPx rows of pixels.
+    // Calls visit(samples) for each band of kBandPx rows, from the top.
     template <typename Visit>
     void visit_bands(Visit visit) const {
         for (int top = 0; top < extent_.height_px; top += kBandPx)

@@ -33,7 +33,7 @@ PotLight PotShading::light(const PotSurface& at) const {
     const float key = glm::clamp((facing + 0.25F) / 1.25F, 0.0F, 1.0F);
     const float sky = 0.5F + 0.5F * normal.y;
     const float fill = glm::clamp(glm::dot(normal, kFill), 0.0F, 1.0F);
-    // The shelf reflects warm light upwards and shadows the foot.
+    // The shelf reflects warm light upwards, and the foot is in shadow.
     const float shelf = glm::clamp(-normal.y, 0.0F, 1.0F) * 0.18F;
     const float closed = 1.0F - 0.55F * std::exp(-at.height_mm / (0.08F * height_mm_ + 2.0F));
     const float open = at.inside ? depth_light(at) : closed;
@@ -60,7 +60,7 @@ vec3 PotShading::colour(const PotSurface& at) const {
         own, finish::mark_colour(glaze_.marks, drawn_on_.at(at.angle, at.height_mm / height_mm_)));
 }
 
-// Less light deeper inside the pot.
+// The light decreases with depth inside the pot.
 float PotShading::depth_light(const PotSurface& at) const {
     return 0.22F + 0.78F * std::exp(-(height_mm_ - at.height_mm) / (0.22F * height_mm_ + 4.0F));
 }

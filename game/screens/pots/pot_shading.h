@@ -1,5 +1,5 @@
-// The shading of a finished pot at one point of its surface, for pictures painted on the processor: glaze,
-// clay and window light. Any thread; pure. mm, rad; linear light.
+// The shading of a finished pot at a point of its surface, for pictures rendered on the CPU: glaze, clay and
+// window light. Any thread; pure. mm, rad; linear light.
 #pragma once
 
 #include <numbers>
@@ -15,12 +15,12 @@ namespace onggi::screens {
 // One sample of the surface.
 struct PotSurface {
     float height_mm = 0.0F;
-    float angle = 0.0F;             // about the axis, in the pot's frame; 0 is the front out of the kiln
+    float angle = 0.0F;  // about the axis, in the pot's frame; 0 is the side that faced front in the kiln
     vec3 normal{0.0F, 0.0F, 1.0F};  // in the view: x right, y up, z to the eye
     bool inside = false;
 };
 
-// The light of a point is its colour times `factor` plus `gloss`.
+// A point's light is its colour times `factor`, plus `gloss`.
 struct PotLight {
     vec3 factor{1.0F};
     vec3 gloss{0.0F};
@@ -44,7 +44,7 @@ class DrawnOn {
 
   private:
     std::optional<decoration::Texture> texture_;
-    float front_ = decoration::kPlainFront;  // the direction shown in front
+    float front_ = decoration::kPlainFront;  // the direction that is in front
 };
 
 class PotShading {
@@ -53,9 +53,9 @@ class PotShading {
     PotShading(const finish::GlazeMaterial& glaze, float height_mm, float elevation_rad,
                const DrawnOn& drawn_on);
 
-    // The part that is fixed while the pot turns.
+    // The light, which is fixed while the pot turns.
     [[nodiscard]] PotLight light(const PotSurface& at) const;
-    // The part that turns with the pot.
+    // The colour, which turns with the pot.
     [[nodiscard]] vec3 colour(const PotSurface& at) const;
 
   private:
@@ -68,7 +68,7 @@ class PotShading {
     vec3 to_eye_;
 };
 
-// Compresses highlights softly, then encodes as approximate sRGB: 0 to 1.
+// Softly compresses highlights, then encodes approximately as sRGB, 0 to 1.
 [[nodiscard]] vec3 encoded_pot_light(const vec3& light);
 
 }  // namespace onggi::screens

@@ -1,5 +1,5 @@
-// A picture of a finished pot that turns: the fixed part (light, gloss, outline) is computed once, and each
-// picture then costs one colour lookup per pixel. Any one thread.
+// A picture of a finished pot that turns. The fixed part (light, gloss, outline) is computed once; each
+// picture then costs one colour lookup per pixel. One thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +20,9 @@ class TurningPot {
     [[nodiscard]] vec2 foot_px() const { return extent_.foot_px; }
     [[nodiscard]] int width_px() const { return extent_.width_px; }
     [[nodiscard]] int height_px() const { return extent_.height_px; }
-    // Its memory.
+    // Bytes of memory in use.
     [[nodiscard]] std::size_t bytes() const { return pixels_.size() * sizeof(PotPixel) + colours_.bytes(); }
-    // turn: the rotation in turns, modulo 1.
+    // Returns the picture at a rotation of `turn` turns, modulo 1.
     [[nodiscard]] std::shared_ptr<const ui::Painting> at(double turn) const;
 
   private:

@@ -1,5 +1,5 @@
-// Attract: the wheel throws by itself, in turns with a pot of a museum and the wall of the day. A visit
-// begins with any sign of life.
+// Attract: shows in turns the wheel throwing by itself, a museum's pot and the wall of the day. Any input
+// begins a visit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,18 +15,18 @@ namespace {
 using ui::Rect;
 
 constexpr float kLit = 1.0F;
-constexpr float kDimmed = 0.74F;  // the others, beside the newest
+constexpr float kDimmed = 0.74F;  // brightness of all pots but the newest
 constexpr float kMostGap = 90.0F;
 constexpr float kLeastGap = 14.0F;
 constexpr float kWallSide = 36.0F;
 
-// Shelves, and how many pots stand on one.
+// The number of shelves, and of pots on each.
 struct Boards {
     int count;
     int pots;
     float first_y;
     float step;
-    float scale;  // u a mm, where the pots leave it so large
+    float scale;  // u per mm; less if the pots do not fit
 };
 
 Boards boards_of(const Page& page, int pots) {
@@ -39,7 +39,7 @@ Boards boards_of(const Page& page, int pots) {
     return {rows, a_row, top + step, step, page.is_tall() ? 0.92F : 0.8F};
 }
 
-// One scale for all, so that the highest fits under the next board and the widest row on its own.
+// One scale for all pots: the highest fits under the next board, and the widest row fits on its board.
 float scale_of(const Page& page, const std::vector<ShelfPot>& pots, const Boards& boards) {
     float scale = boards.scale;
     for (std::size_t first = 0; first < pots.size(); first += static_cast<std::size_t>(boards.pots)) {
@@ -76,7 +76,7 @@ void draw_wall(Page& page) {
     const View& view = page.view();
     const std::vector<ShelfPot>& all = *view.wall;
     const Boards boards = boards_of(page, static_cast<int>(all.size()));
-    // The newest of them, where there is no room for all.
+    // If there are too many, only the newest are shown.
     const auto room = static_cast<std::size_t>(boards.count * boards.pots);
     const std::vector<ShelfPot> pots(all.end() - static_cast<std::ptrdiff_t>(std::min(room, all.size())),
                                      all.end());
@@ -84,7 +84,7 @@ void draw_wall(Page& page) {
     const int language = view.attract_turn % static_cast<int>(view.languages->size());
     const bool rtl = page.language(language).right_to_left();
     const float scale = scale_of(page, pots, boards);
-    // Where each stands: rows from the top, by the time they were made.
+    // Places the pots in rows from the top, in the order in which they were made.
     std::vector<vec2> feet;
     for (std::size_t first = 0; first < pots.size(); first += static_cast<std::size_t>(boards.pots)) {
         const std::size_t end = std::min(pots.size(), first + static_cast<std::size_t>(boards.pots));
@@ -146,8 +146,8 @@ void draw_wall(Page& page) {
 
 constexpr ui::Colour kClear = design::kNight.with_alpha(0.0F);
 
-// What waits for the next visitor is large already, whatever the one before wished: it keeps its size.
-// "Touch to begin" in every language at equal size, in the configuration's order.
+// "Touch to begin" in every language at equal size, in the configuration's order. The text is already large
+// and ignores the previous visitor's text size.
 void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) {
     const int count = static_cast<int>(page.view().languages->size());
     for (int place = 0; place < count; ++place) {
@@ -178,7 +178,7 @@ void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) 
     }
 }
 
-// That nobody's pot is being made: there is room for one language at a time, so each has its turn.
+// Says that the wheel shows a demonstration, in one language at a time for lack of room.
 void wheel_shows(Page& page, const Rect& rect) {
     const int place = page.view().attract_turn % static_cast<int>(page.view().languages->size());
     page.words(rect, {.text = page.language(place).shown("attract.auto"),
@@ -188,7 +188,7 @@ void wheel_shows(Page& page, const Rect& rect) {
                       .language = place});
 }
 
-// What it is, when and where from, and how high, in one language.
+// Draws the exhibit's name, date, origin and height in one language.
 void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int language) {
     const Language& tongue = page.language(language);
     const float name =
@@ -206,7 +206,7 @@ void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int la
                                                                                .language = language});
 }
 
-// In every language side by side, as far as there is room; in a narrow picture one after the other.
+// Draws the labels of all languages side by side; in narrow pictures one language at a time.
 void heritage_labels(Page& page, const Exhibit& exhibit, float y) {
     constexpr float kHigh = 104.0F;
     constexpr float kGap = 16.0F;
@@ -291,7 +291,7 @@ void take_attract(Turn& turn, const Event& event) {
     turn.take(event);
 }
 
-// Attract never ends by itself; somebody who only looked at the languages has gone again.
+// Attract never ends by itself, but an open language panel closes after a timeout.
 void pass_attract(Turn& turn) {
     const State& state = turn.state;
     if (state.panel == Panel::kLanguage && turn.now_s - state.input_s >= turn.rules.idle_s) turn.end_visit();

@@ -1,4 +1,4 @@
-// The choice of a pot: free throwing, or after a pot of a museum's shelf, whose card tells more.
+// The choice of a pot: free throwing, or a museum's pot as the target, with a card about it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     lines.push_back({.text = choice.size, .type = design::bold(26.0F, 34.0F), .colour = design::kInk});
     std::erase_if(lines, [](const Words& words) { return words.text.empty(); });
     FittedLines fitted = page.fitted(std::move(lines), {inner.width, inner.height - 8.0F});
-    // A size stands at the card's foot, whatever is above it.
+    // The size is always the card's last line.
     if (choice.exhibit != nullptr) {
         const float room = fitted.heights.back();
         page.fixed_words({inner.x, inner.bottom() - room, inner.width, room + 2.0F}, fitted.lines.back());
@@ -56,7 +56,7 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
 constexpr float kAboutSide = design::kLeastTarget;
 constexpr float kAboutRoom = kAboutSide + 10.0F;
 
-// Opens the pot's own card.
+// Adds the button that opens the pot's card.
 void about(Page& page, const Rect& rect, const Choice& choice, int index) {
     if (choice.exhibit == nullptr || !choice.exhibit->card) return;
     page.token(rect, Look::kToken, Button::kCard, page.t("card.about"), index - 1, Icon::kAbout, false);
@@ -71,7 +71,7 @@ std::vector<Choice> all_choices(const Page& page) {
     return choices;
 }
 
-// As many of the choices as have room beside each other, all at one scale.
+// The choices that fit side by side, all at one scale.
 struct ShownChoices {
     std::vector<Choice> all;
     int count = 0;
@@ -82,7 +82,7 @@ struct ShownChoices {
     [[nodiscard]] const Choice& at(int place) const { return all[static_cast<std::size_t>(first + place)]; }
 };
 
-// Gives where a finger finds it, however flat a bowl is.
+// Returns the pot's touch target, which is large enough even for a flat bowl.
 Rect choice_pot(Page& page, const Choice& choice, float scale, vec2 foot) {
     const bool free = choice.exhibit == nullptr;
     const Rect rect =
@@ -130,7 +130,7 @@ void choices_on_shelf(Page& page, const ShownChoices& shown) {
         const Rect touched = choice_pot(page, shown.at(i), shown.scale, {card.centre().x, shelf_y + 9.0F});
         draw_card(page, card, shown.at(i), shown.first + i);
         page.also_touched_at(touched);
-        // On the shelf beside its pot, or brought low below its card.
+        // Beside its pot on the shelf, or below its card with low controls.
         const float about_y = page.is_low() ? card.bottom() + 8.0F : shelf_y - kAboutSide - 2.0F;
         about(page, {card.right() - kAboutSide, about_y, kAboutSide, kAboutSide}, shown.at(i),
               shown.first + i);
@@ -148,7 +148,7 @@ void paging_tokens(Page& page, const ShownChoices& shown, float y) {
                rtl ? Icon::kLeft : Icon::kRight, false);
 }
 
-// The scale, drawn and in words; where the token of languages is brought low, it makes room.
+// The scale bar with its text; makes room for the languages' token with low controls.
 void scale_bar(Page& page, const ShownChoices& shown, float foot_y) {
     const bool tall = page.is_tall();
     const bool is_on_top = tall && page.is_low();
@@ -186,9 +186,9 @@ void draw_choose(Page& page) {
                {.text = page.t("choose.title"), .type = design::kTitle, .colour = design::kSlip});
     const float foot_y = height - 77.0F;
     page.languages_token({width - 182.0F, foot_y, 150.0F, 60.0F});
-    // Brought low, a tall screen has its cards side by side, as the others always have.
+    // A tall screen shows the cards in rows, unless the controls are low.
     const bool in_rows = page.is_tall() && !page.is_low();
-    // Fewer with the largest text or brought low, and a way to the others.
+    // With large text or low controls fewer choices fit; buttons page through the others.
     const bool is_narrow = page.is_square() || page.text_scale() > 1.9F || page.is_low();
     const int all = static_cast<int>(shown.all.size());
     shown.count = std::min(all, is_narrow ? 3 : 4);
@@ -217,7 +217,8 @@ std::string joined(std::initializer_list<std::string> parts) {
     return all;
 }
 
-// From above: the pot's name, where and when, the three lines with their heads, the source.
+// Returns the lines from top to bottom: the pot's name, place and date, three lines with headings, the
+// source.
 std::vector<Words> lines_of(const Page& page, const Exhibit& exhibit) {
     constexpr std::array kHeads{"card.use", "card.making", "card.look"};
     constexpr std::array kKnownBy{"card.record", "card.kind", "card.general"};
@@ -250,7 +251,7 @@ void draw_card_panel(Page& page) {
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
-    // A squarer picture leaves the words more of its width.
+    // Squarer pictures give the words more of the width.
     const float left = page.by_shape(0.34F, 0.26F, 1.0F);
     const float foot_y = height - 96.0F;
     const float shelf_y = tall ? 300.0F : foot_y - 50.0F;
@@ -271,7 +272,7 @@ void draw_card_panel(Page& page) {
         page.fitted_words(inner, page.fitted(lines_of(page, *exhibit), {inner.width, inner.height}, 2.0F));
     }
     page.back_token(page.mirrored({32.0F, foot_y + 8.0F, 190.0F, 70.0F}), Button::kCardClose);
-    if (view.state.card == kRelativesCard) return;  // a pot is being looked at already
+    if (view.state.card == kRelativesCard) return;  // a pot is already shown
     page.token(page.mirrored({width - 332.0F, foot_y + 2.0F, 300.0F, 76.0F}), Look::kPrimary,
                Button::kCardThrow, page.t("card.throw"));
 }
@@ -307,7 +308,7 @@ void press_choose(Turn& turn, const event::Pressed& event) {
     }
 }
 
-// Touching the clay beside the cards is choosing to throw as one likes.
+// Touching the clay beside the cards chooses free throwing.
 void take_choose(Turn& turn, const Event& event) {
     if (!std::holds_alternative<event::ClayTouched>(event)) return;
     turn.show(Screen::kThrow);

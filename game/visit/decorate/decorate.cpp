@@ -1,4 +1,4 @@
-// Decorating: after the pot has dried and before it is fired. Decorating is optional.
+// Decorating, after drying and before firing. It is optional.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -96,7 +96,7 @@ struct DrawingChoice {
     Icon icon;
     const char* key;
 };
-// Its card: what it is called, and a sentence.
+// The card of a technique: a name and a sentence.
 struct WayWords {
     const char* title;
     const char* line;
@@ -120,10 +120,10 @@ constexpr std::array<DrawingChoice, kMotifs> kMotifChoices{{{Icon::kCrane, "mo.c
                                                             {Icon::kGrass, "mo.grass"},
                                                             {Icon::kWave, "mo.wave"}}};
 
-// Where things stand on the ledge, for each shape of picture.
+// The layout of the ledge for each shape of picture.
 struct LedgePlaces {
     std::array<Rect, 6> choices;
-    std::array<Rect, 2> slips;  // in the place of the size, as are the next two
+    std::array<Rect, 2> slips;  // shown in place of the size, like the next two
     Rect around;
     Rect back;
     Rect size;
@@ -131,7 +131,7 @@ struct LedgePlaces {
     Rect undo;
     Rect clear;
     Rect done;
-    float label = 36.0F;  // height of one
+    float label = 36.0F;  // height of one label
 };
 
 LedgePlaces ledge_places(const Page& page, float top) {
@@ -189,7 +189,7 @@ LedgePlaces ledge_places(const Page& page, float top) {
     return places;
 }
 
-constexpr float kWideLabel = 17.0F;  // beyond its token, to either side
+constexpr float kWideLabel = 17.0F;  // extends past its token on either side
 constexpr float kLessWideLabel = 12.0F;
 
 void choice_token(Page& page, const Rect& place, float label, const DrawingChoice& shown, Button button,
@@ -199,7 +199,7 @@ void choice_token(Page& page, const Rect& place, float label, const DrawingChoic
                label, spread);
 }
 
-// What the way of drawing is, until something is drawn so.
+// Draws the card of the technique until the technique is used.
 void way_card(Page& page) {
     const Decorating& decorating = page.view().state.decorating;
     if (decorating.touched) return;
@@ -215,7 +215,8 @@ void way_card(Page& page) {
     add_paper(page, page.mirrored({square ? 20.0F : 32.0F, tall ? 32.0F : 112.0F, wide, most}), lines);
 }
 
-// For who cannot point at the pot: a dot that goes up, down and round, and the brush.
+// Draws keys for visitors who cannot point at the pot: they move a dot up, down and round, and press the
+// brush.
 void brush_pad(Page& page, float top) {
     const float edge = page.is_tall() ? 24.0F : 32.0F;
     const Rect pad = page.mirrored({page.width() - edge - 264.0F, top - 172.0F, 264.0F, 164.0F});
@@ -293,7 +294,7 @@ void draw_decorate(Page& page) {
     const bool is_plain = decorating.strokes == 0;
     page.token(page.on_ledge(places.done), Look::kPrimary, Button::kDone,
                page.t(is_plain ? "dec.plain" : "dec.done"));
-    // Brought low, across from the brush's keys.
+    // With low controls the languages' token is opposite the brush's keys.
     static_cast<void>(page.languages_token(low_languages(page)));
 }
 

@@ -20,7 +20,7 @@ const finish::MarkPalette& raw_palette() {
     return finish::wet_clay().marks;
 }
 
-// Of the brushes on the ledge, mm, by its three sizes.
+// The widths of the ledge's brushes in three sizes, mm.
 constexpr std::array<std::array<double, kiosk::kMostBrush>, kiosk::kMotifTool> kWidthsMm{
     {{14.0, 20.0, 28.0}, {2.2, 4.0, 7.0}, {2.2, 4.0, 7.0}, {1.2, 2.0, 3.2}, {12.0, 22.0, 36.0}}};
 constexpr double kMotifOfWall = 0.34;
@@ -39,8 +39,7 @@ Stroke motif_stroke(const kiosk::Decorating& decorating, double round_mm, double
                   .motif = static_cast<decoration::Motif>(decorating.motif + 1)};
     double size_mm = kMotifOfWall * height_mm;
     if (decorating.all_round) {
-        const bool joins =
-            stroke.motif == decoration::Motif::kWave;  // each goes on where the one before ends
+        const bool joins = stroke.motif == decoration::Motif::kWave;  // the waves touch each other
         const double count = std::clamp(std::floor(round_mm / (joins ? size_mm : kApart * size_mm)), kFewest,
                                         joins ? double{decoration::kMostRepeats} : kMost);
         stroke.repeats = static_cast<std::uint8_t>(count);
@@ -50,7 +49,7 @@ Stroke motif_stroke(const kiosk::Decorating& decorating, double round_mm, double
     return stroke;
 }
 
-// They were drawn on this wall; strokes of another leave it blank.
+// Draws the strokes on this pot's wall. If they do not fit the wall, it stays blank.
 decoration::Canvas canvas_of(const pot::Pot& wet, const decoration::Strokes& strokes) {
     const decoration::Wall wall = decoration::wall_of(pot::outer_outline(wet));
     auto drawn_on = decoration::Canvas::of(wall, strokes);
@@ -124,7 +123,7 @@ void VisitDrawing::start_if_ready() {
     if (!work_->canvas.is_plain()) tell();
 }
 
-// Strokes are told from those of another pot by what they come to.
+// The strokes belong to this pot if they reproduce the recorded hash of the texture.
 std::optional<decoration::Canvas> VisitDrawing::remembered_canvas() {
     const auto drawn = std::exchange(remembered_, nullptr);
     if (!drawn || !put_away_.empty()) return std::nullopt;
@@ -149,7 +148,7 @@ dvec2 VisitDrawing::heading() const {
 std::optional<WallPlace> VisitDrawing::place_at(vec2 px) const {
     const auto beside = view_.tool_target_mm(double{px.x}, double{px.y});
     if (!work_ || !beside) return std::nullopt;
-    constexpr double kBackMm = 2000.0;  // behind the eye
+    constexpr double kBackMm = 2000.0;  // starts the ray behind the camera
     const dvec3 towards_eye = view_.towards_eye(*beside);
     return decoration::pick(work_->canvas.wall(), work_->scale, heading(), *beside + kBackMm * towards_eye,
                             -towards_eye);
@@ -171,7 +170,7 @@ void VisitDrawing::press(vec2 px) {
     hover_px_.reset();
     const auto place = place_at(px);
     if (!place) return;
-    // At the edge of a resting pot the finger turns it.
+    // A finger at the edge of a pot that stands still turns it.
     constexpr double kEdge = 0.3;
     turns_by_hand_ = !flow_.state().decorating.turns && place->facing < kEdge;
     if (turns_by_hand_) return;
@@ -206,7 +205,7 @@ void VisitDrawing::hover(vec2 px) {
 
 void VisitDrawing::nudge(Button way) {
     constexpr double kStepMm = 4.0;
-    constexpr double kMostRad = 1.2;  // still seen
+    constexpr double kMostRad = 1.2;  // so that the dot stays visible
     if (!work_) return;
     hover_px_.reset();
     const double height_mm = double{work_->canvas.wall().height_mm};
@@ -251,9 +250,9 @@ void VisitDrawing::clear() {
     tell();
 }
 
-// A point of the stroke that goes on, or of a new one; off the pot there is none.
+// Adds a point to the current stroke, or starts one; ends the stroke off the pot.
 void VisitDrawing::draw_at(const std::optional<WallPlace>& place) {
-    constexpr double kLeastMm = 0.25;  // between two points
+    constexpr double kLeastMm = 0.25;  // minimum distance between two points
     if (!work_) return;
     const double height_mm = double{work_->canvas.wall().height_mm};
     const auto point = place ? std::optional(decoration::stroke_point(
@@ -308,7 +307,7 @@ void VisitDrawing::tell() {
 void VisitDrawing::pass(double dt_s) {
     constexpr double kTurnS = 10.0;
     const kiosk::Screen screen = flow_.state().screen;
-    if (screen == kiosk::Screen::kGlaze && work_) put_away();  // fired: what it came to goes with the pot
+    if (screen == kiosk::Screen::kGlaze && work_) put_away();  // the pot is fired and keeps its texture
     if (open_finger(flow_.state()) != Finger::kBrush) {
         release();
         put_brush(false);

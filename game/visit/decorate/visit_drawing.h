@@ -1,5 +1,5 @@
-// Decorating: what a finger, keys or one switch draw on the pot that waits, dry, on the slowly turning wheel,
-// as strokes; and the texture they come to, as the wheel's picture shows it. Main thread. mm, px.
+// Decorating: converts input from a finger, keys or a single switch to strokes on the dry pot on the slowly
+// turning wheel, and renders the strokes to a texture for the picture. Main thread. mm, px.
 #pragma once
 
 #include <memory>
@@ -16,46 +16,47 @@
 
 namespace onggi::visit {
 
-// A stroke without points, of the way that is chosen on the ledge. round_mm: how far round the pot is where
-// it begins; height_mm: of its wall.
+// Returns an empty stroke in the technique chosen on the ledge. round_mm is the pot's circumference where the
+// stroke starts; height_mm is the wall's height.
 [[nodiscard]] decoration::Stroke stroke_of(const kiosk::Decorating& decorating, double round_mm,
                                            double height_mm);
 
 class VisitDrawing {
   public:
-    // Both outlive it.
+    // Glaze and decoration must outlive it.
     VisitDrawing(const wheel::LiveView& view, VisitFlow& flow) : view_(view), flow_(flow) {}
 
-    // The pot that was cut off, wet; it is drawn on from begin() on, as far as the wheel has turned then.
+    // Takes the wet, cut-off pot. begin() starts the decorating, with the wheel at `heading`.
     void take(std::shared_ptr<const pot::Pot> pot);
-    // Once more where it went to the kiln and was wanted back: with what was drawn.
+    // If the pot was taken back from the kiln, a second call continues its decoration.
     void begin(const dvec2& heading);
     void forget();
-    // Another pot will be taken: what was drawn before a power cut waits for that one.
+    // Drops the pot but keeps a remembered decoration for the next one.
     void forget_pot();
-    // What was drawn before a power cut: it is on the pot again, where the pot is the same.
+    // Passes the decoration stored before a power cut; it is restored if it belongs to the pot.
     void remember(std::shared_ptr<const decoration::Recorded> drawn) { remembered_ = std::move(drawn); }
-    // What is to be kept of it, for a power cut: once after each stroke, and after what takes one back.
+    // Returns the decoration to store in case of a power cut, once after each stroke and each undo.
     [[nodiscard]] std::optional<std::vector<std::byte>> take_to_keep();
 
-    // A finger comes down on the picture, goes on, leaves it; or a mouse is over it.
+    // A finger presses, drags and lifts on the picture; a mouse hovers.
     void press(vec2 px);
     void drag(vec2 px);
     void release();
     void hover(vec2 px);
-    // The dot that keys lead, and their brush.
+    // Moves the dot of the keys, and lowers or lifts its brush.
     void nudge(kiosk::Button way);
     void put_brush(bool down);
     void undo();
     void clear();
-    // Once a frame, after what was done: the pot turns, and a brush that is down draws.
+    // Call it once a frame after the input. Turns the pot; a lowered brush draws.
     void pass(double dt_s);
 
-    // The pot as it is then, with what was drawn; nothing before begin().
+    // Shows the pot with its decoration; has no effect before begin().
     void show(wheel::WheelScene& scene);
-    // Where a stroke would begin, as the camera sees it; empty: nowhere, or one is being drawn.
+    // The ring that marks where the next stroke would start, in pixels; empty off the pot and during a
+    // stroke.
     [[nodiscard]] std::vector<vec2> ring(bool keys_lead) const;
-    // What was drawn; null: nothing.
+    // The decoration, or null.
     [[nodiscard]] std::shared_ptr<const decoration::Marks> marks() const;
     [[nodiscard]] finish::DrawnWith drawn_with() const;
 
@@ -67,10 +68,10 @@ class VisitDrawing {
         pot::Pot dry;
         decoration::Canvas canvas;
         look::DressedMarks dressed;
-        double scale;  // of the dry pot, beside the wall
+        double scale;  // of the dry pot relative to the wet wall
     };
     void start_if_ready();
-    // What it is drawn with takes room; the strokes alone stay.
+    // Frees the working memory and keeps only the strokes.
     void put_away();
     [[nodiscard]] std::optional<decoration::Canvas> remembered_canvas();
     void dress();
@@ -85,19 +86,19 @@ class VisitDrawing {
     VisitFlow& flow_;
     std::shared_ptr<const pot::Pot> pot_;
     std::shared_ptr<Work> work_;
-    ecs::Entity in_scene_;          // its pot
-    decoration::Strokes put_away_;  // to go on from
+    ecs::Entity in_scene_;          // the decorated pot
+    decoration::Strokes put_away_;  // the strokes kept for continuing
     std::shared_ptr<const decoration::Recorded> remembered_;
     bool is_to_be_kept_ = false;
     bool begun_ = false;
     double turned_rad_ = 0.0;
     std::optional<vec2> finger_px_;
     std::optional<vec2> hover_px_;
-    bool turns_by_hand_ = false;  // the finger at the pot's edge
-    bool draws_ = false;          // a stroke goes on
-    bool brush_down_ = false;     // of the keys
-    double dot_rad_ = 0.0;        // counter-clockwise from the side that faces the eye
-    double dot_fraction_ = 0.5;   // of the height
+    bool turns_by_hand_ = false;  // the finger grabbed the pot's edge and turns it
+    bool draws_ = false;          // a stroke is in progress
+    bool brush_down_ = false;     // the keys' brush
+    double dot_rad_ = 0.0;        // position of the dot, counter-clockwise from the side facing the camera
+    double dot_fraction_ = 0.5;   // fraction of the height
 };
 
 }  // namespace onggi::visit

@@ -1,4 +1,4 @@
-// From the wheel to the glaze: the pot is cut off and dried, fired once it is decorated, and glazed.
+// From the wheel to the glaze: the pot is cut off, dried, decorated, fired and glazed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using ui::Rect;
 
-// As it dries it pales; in the kiln it glows.
+// The material of the clay, which pales as it dries and glows in the kiln.
 const finish::GlazeMaterial& dry_clay() {
     static const finish::GlazeMaterial clay = [] {
         finish::GlazeMaterial made = finish::wet_clay();
@@ -31,7 +31,7 @@ const finish::GlazeMaterial& glowing_clay() {
         made.id = "glowing";
         made.body = made.colour = vec3(1.35F, 0.42F, 0.13F);
         made.thin_colour = vec3(1.6F, 0.62F, 0.22F);
-        // What was drawn glows too, the dark a little less.
+        // The decoration glows too; dark colours glow less.
         finish::MarkPalette& marks = made.marks;
         for (vec3* colour :
              {&marks.white_slip, &marks.black_slip, &marks.iron, &marks.cobalt, &marks.coat, &marks.finger}) {
@@ -43,7 +43,7 @@ const finish::GlazeMaterial& glowing_clay() {
     return clay;
 }
 
-// The mouth of the kiln, drawn about the middle of its floor.
+// Draws the kiln's opening. `floor` is the middle of its floor.
 void kiln(Page& page, vec2 floor, float scale) {
     page.covers();
     const float width = page.width();
@@ -53,7 +53,7 @@ void kiln(Page& page, vec2 floor, float scale) {
     const float half = 330.0F * scale;
     const float tall = 510.0F * scale;
     const Rect field{floor.x - half, floor.y - tall, 2.0F * half, tall + 4.0F};
-    // Wider than most screens; painted is what is seen of it.
+    // The glow is wider than most screens; only its visible part is painted.
     const Rect shine{floor.x - 2.0F * half, floor.y - 1.75F * tall, 4.0F * half, 2.6F * tall};
     const Rect seen = ui::overlap(shine, all);
     ui::Sketch glow;
@@ -61,7 +61,7 @@ void kiln(Page& page, vec2 floor, float scale) {
                          ui::Fill::round(ui::hex(0xc2561c, 0.85F), ui::hex(0x1b0f09, 0.0F))});
     page.sprite(seen, std::move(glow));
     ui::Sketch sketch;
-    // In a field of 660 x 510: arch and bricks.
+    // The arch and bricks are drawn in a field of 660 x 510.
     const ui::Placing placing{.at = {0.0F, 0.0F}, .scale = vec2(scale)};
     const char* const kMouth = "M60 510 V280 C60 110 170 34 330 34 C490 34 600 110 600 280 V510 Z";
     sketch.add(ui::Shape{.path = kMouth, .placing = placing, .fill = ui::hex(0xb84f18)});
@@ -93,13 +93,13 @@ float fitting_scale(const pot::Section& shape, float box_width, float box_height
     return std::min((box_width - 16.0F) / across, (box_height - 16.0F) / up);
 }
 
-// Where words and tokens of the glaze screen stand, before mirroring.
+// The layout of the glaze screen's words and tokens, before mirroring.
 struct GlazePlaces {
     Rect line;
     Rect hides;
     Rect decorate;
     Rect take;
-    Rect languages;  // brought low
+    Rect languages;  // used with low controls
 };
 
 GlazePlaces glaze_places(const Page& page, float shelf_y) {
@@ -107,7 +107,7 @@ GlazePlaces glaze_places(const Page& page, float shelf_y) {
     const float down = page.lower_by();
     switch (page.shape()) {
         case Shape::kTall: {
-            // Brought low, the languages stand in the row too.
+            // With low controls the row also holds the languages' token.
             const float wide = right - 318.0F - (page.is_low() ? 166.0F : 0.0F);
             return {.line = {40.0F, down + shelf_y + 40.0F, right - 48.0F, 44.0F},
                     .hides = {40.0F, down + shelf_y + 86.0F, right - 48.0F, 44.0F},
@@ -131,7 +131,7 @@ GlazePlaces glaze_places(const Page& page, float shelf_y) {
             .languages = {32.0F, down + 383.0F, 150.0F, 60.0F}};
 }
 
-// What the glaze is; and to who drew on the pot, what it does to that.
+// Describes the glaze and, on a decorated pot, its effect on the decoration.
 void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMaterial& glaze) {
     const auto& pot = page.view().pot;
     const bool was_made_for_it = pot && pot->drawn_with.inlaid && glaze.glaze == finish::Glaze::kCeladon;
@@ -139,7 +139,7 @@ void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMater
     if (page.is_tall()) words.align = ui::Align::kCentre;
     const bool hides = pot && finish::hides(glaze, pot->drawn_with);
     Rect line = places.line;
-    if (!hides) line.height = places.hides.bottom() - line.y;  // nothing comes below
+    if (!hides) line.height = places.hides.bottom() - line.y;  // no text below
     page.words(page.mirrored(line), words);
     if (!hides) return;
     words.text = page.t("glz.hides");
@@ -167,7 +167,7 @@ void draw_firing(Page& page) {
         const finish::GlazeMaterial& clay = stage == FiringStage::kCut   ? finish::wet_clay()
                                             : stage == FiringStage::kDry ? dry_clay()
                                                                          : glowing_clay();
-        // It shrinks as it dries.
+        // The pot shrinks as it dries and in the kiln.
         const float shrunk = stage == FiringStage::kCut ? 1.0F : stage == FiringStage::kDry ? 0.95F : 0.9F;
         page.keep_clear(page.pot(view.pot->shape, clay, scale * shrunk, floor));
     }
@@ -203,7 +203,7 @@ void draw_firing(Page& page) {
             page.sprite({place.centre().x - 80.0F, place.y + 52.0F, 160.0F, 6.0F}, std::move(bar));
         }
     }
-    // In the kiln, where nothing shrinks any more, there is room for what is heard.
+    // In the kiln the sound's caption replaces the note on shrinking.
     const bool is_heard = stage == FiringStage::kFire && !view.heard.empty();
     page.words(tall ? Rect{33.0F, words_y + 72.0F, width - 66.0F, 72.0F}
                     : page.mirrored({left, words_y + 64.0F, 3.0F * column - 10.0F, 36.0F}),

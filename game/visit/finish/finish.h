@@ -1,11 +1,11 @@
-// Firing, as the rest of a visit knows it. Any thread.
+// Firing: what other steps of a visit use. Any thread.
 #pragma once
 
 #include "game/visit/flow/step.h"
 
 namespace onggi::visit {
 
-// The glaze kiln is burning before the visitor's eyes.
+// Whether the screen shows the glaze firing.
 [[nodiscard]] bool kiln_burns(const State& state);
 
 }  // namespace onggi::visit

@@ -1,4 +1,4 @@
-// The finished pot with its measures, beside the pot of a museum that it was thrown after or resembles.
+// The finished pot with its measures, beside the museum's pot that was its target or that it resembles most.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ void measures_card(Page& page, const Rect& card) {
         page.words({name_box.x, name_box.y + 0.5F * (step - name_line), name_box.width, name_line + 4.0F},
                    {.text = page.t(rows[i].key), .type = {30.0F, name_line}, .colour = design::kInk2}, true);
         const Rect value_box = within(value);
-        // Number large and unit small, both in one row from the line's end.
+        // A large number and a small unit in one row, aligned with the end of the line.
         const Words unit{.text = page.t(rows[i].unit),
                          .type = {28.0F, 56.0F},
                          .colour = design::kInk,
@@ -72,10 +72,10 @@ void height_bracket(Page& page, float x, float foot_y, float height) {
     page.sprite({x - 10.0F, foot_y - height - 2.0F, 20.0F, height + 6.0F}, std::move(sketch));
 }
 
-// A circle that is right is told of, and no more; nobody is scored by it.
+// A circle with a smaller deviation counts as round.
 constexpr double kRoundMm = 1.0;
 
-// What a jar of two bowls is nearly.
+// Draws a true circle over a jar of two bowls, for comparison.
 void true_circle(Page& page, vec2 centre, float radius) {
     constexpr int kCorners = 72;
     std::vector<vec2> points;
@@ -92,8 +92,8 @@ std::string roundness_words(const Page& page, double off_round_mm) {
            page.t("moon.done.line");
 }
 
-// What stands beside it, and below that what is good about the pot and what to try next.
-// Brought low, the token of its card stands beside that of the languages.
+// Writes the name of the related museum pot and, below it, one strength of the visitor's pot and what to try
+// next. With low controls, the token for the museum pot's card is beside the languages' token.
 void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& languages) {
     constexpr float kSide = 64.0F;
     constexpr float kGap = 14.0F;
@@ -105,7 +105,8 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& l
                              (is_jar ? "" : "\n" + page.t(exhibit.date_key)) +
                              (is_jar && page.is_low() ? "" : "\n" + page.t("your.scale"));
     const bool rtl = page.right_to_left();
-    // Three lines, and two; of a jar two, or brought low one, and what its roundness is worth.
+    // The first text has room for three lines of five. A jar's has two lines, or one with low controls, and
+    // leaves the rest to the text on roundness.
     const float most = is_jar && page.is_low() ? 40.0F : is_jar ? 78.0F : 114.0F;
     const float fraction = is_jar && page.is_low() ? 0.21F : is_jar ? 0.35F : 0.61F;
     const float split = std::min(fraction * rect.height, most * page.text_scale());
@@ -132,7 +133,7 @@ void draw_your_pot(Page& page) {
     const float height = page.height();
     const bool tall = page.is_tall();
     const bool square = page.is_square();
-    const float raised = page.is_low() ? 78.0F : 0.0F;  // room for the token of languages, brought low
+    const float raised = page.is_low() ? 78.0F : 0.0F;  // room for the languages' token
     const float shelf_y = tall ? 590.0F - raised : 546.0F;
     const float foot_y = shelf_y + 14.0F;
     const Rect stage = page.mirrored({0.0F, 0.0F, page.by_shape(760.0F, 560.0F, width), shelf_y});

@@ -44,7 +44,7 @@ void Turn::take(const Event& event) {
 
 void Turn::leave_staff() {
     lay_over(Panel::kNone);
-    // What the staff tried out is not the next visitor's wish.
+    // Outside a visit, settings that the staff tried out must not remain for the next visitor.
     if (step_of(state.screen).whose == Whose::kNobody) end_visit();
 }
 
@@ -74,14 +74,14 @@ void Turn::end_visit() {
     }
     const State before = state;
     state = first_state(rules, now_s);
-    // State of the kiosk, not of the visitor.
+    // Keep the state that belongs to the kiosk and not to the visitor.
     state.device_lost = before.device_lost;
     state.pin_guard = before.pin_guard;
     state.comfort.volume = state.house_volume = before.house_volume;
     state.comfort.language = state.house_language = before.house_language;
     state.force_rests = before.force_rests;
     state.interrupted_jar = before.interrupted_jar;
-    state.interrupted_session = before.interrupted_session;  // until somebody has decided
+    state.interrupted_session = before.interrupted_session;  // until a visitor accepts or declines it
     add(effect::ForgetPot{});
     add(effect::SetVolume{state.house_volume});
     add(effect::StartDemo{});
@@ -93,14 +93,14 @@ void pass_time(Turn& turn) {
     State& state = turn.state;
     if (const auto tick = overlay_of(state.panel).tick) return tick(turn);
     if (const auto tick = step_of(state.screen).tick) tick(turn);
-    const Step& step = step_of(state.screen);  // which may be the next by now
+    const Step& step = step_of(state.screen);  // the tick may have changed the screen
     if (step.whose != Whose::kVisitor) return;
     const bool makes_jar = step.has_wet_clay && state.throwing.jar.step != JarStep::kNone;
     const double idle_s = makes_jar ? turn.rules.jar_idle_s : turn.rules.idle_s;
     if (turn.now_s - state.input_s >= idle_s) turn.lay_over(Panel::kIdle);
 }
 
-// Something that lives is there: the step takes note. At the countdown the visit goes on.
+// Handles input from a visitor: passes it to the step. During the idle countdown the visit continues.
 void wake(Turn& turn, const Event& event) {
     State& state = turn.state;
     state.input_s = turn.now_s;
@@ -118,7 +118,7 @@ void press(Turn& turn, const event::Pressed& event) {
         turn.lay_over(Panel::kLanguage);
         return;
     }
-    // In attract it begins a visit, as any key does.
+    // In attract this button begins a visit, as any key does.
     if (event.button == Button::kForces && step.whose != Whose::kNobody) {
         state.comfort.forces = !state.comfort.forces;
         return;
@@ -126,11 +126,11 @@ void press(Turn& turn, const event::Pressed& event) {
     if (step.press != nullptr) step.press(turn, event);
 }
 
-// The wheel cannot work any more.
+// The wheel has failed.
 void enter_fault(Turn& turn) {
     State& state = turn.state;
     if (step_of(state.screen).whose == Whose::kStaff) return;
-    // The staff looks into it: what they have before them stays.
+    // Keep the staff's panel open: they may be looking into the fault.
     const bool is_staffs = overlay_of(state.panel).is_staffs;
     const Panel panel = is_staffs ? state.panel : Panel::kNone;
     const Staff staff = state.staff;
@@ -153,7 +153,7 @@ void ask_for_pin(Turn& turn) {
     turn.lay_over(Panel::kPin);
 }
 
-// What each event does to any visit; the others are the step's.
+// Handles the events that are common to all steps; passes the others to the current step.
 struct Taking {
     Turn& turn;
     const Event& event;
@@ -164,7 +164,7 @@ struct Taking {
     void operator()(const event::ClayTouched& /*touched*/) { wake(turn, event); }
     void operator()(const event::Pressed& pressed) { press(turn, pressed); }
     void operator()(const event::Held& held) {
-        // Who has just let go is not shown anything at once.
+        // After letting go, a visitor gets no demonstration at once.
         if (state.pace.held && !held.holds) state.pace.touched_s = turn.now_s;
         state.pace.held = held.holds;
     }
@@ -191,7 +191,7 @@ std::vector<Effect> advance(State& state, const Event& event, double now_s, cons
     Turn turn{.state = state, .now_s = now_s, .rules = rules};
     const bool showed = state.throwing.shown.has_value();
     std::visit(Taking{turn, event}, event);
-    // Before whatever else is done to the clay.
+    // The demonstration stops before other effects touch the clay.
     if (showed && !state.throwing.shown) turn.effects.insert(turn.effects.begin(), effect::StopShow{});
     return std::move(turn.effects);
 }

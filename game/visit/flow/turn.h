@@ -1,4 +1,4 @@
-// One call of advance() in progress, as the steps of a visit see it. Any thread.
+// One call of advance() in progress, passed to the steps' functions. Any thread.
 #pragma once
 
 #include <algorithm>
@@ -17,18 +17,18 @@ struct Turn {
     std::vector<Effect> effects{};
 
     void add(const Effect& effect) { effects.push_back(effect); }
-    // Leaves the step, and enters the one of that screen.
+    // Leaves the current step and enters that of `screen`.
     void show(Screen screen);
     void lay_over(Panel panel);
-    // Hands an event to the step.
+    // Passes an event to the current step.
     void take(const Event& event);
-    // From attract to the choice of a pot, or to the pot that a power cut left.
+    // Goes from attract to the choice of a pot, or to the offer to continue the interrupted pot.
     void begin_visit();
     // Puts a fresh lump on the wheel and resets the settings of throwing.
     void put_on_clay(std::optional<int> target);
     // Changes the volume by `by` steps, within its range.
     void change_volume(int by);
-    // Returns to attract and drops everything of the visitor.
+    // Returns to attract and drops the visitor's state.
     void end_visit();
     // Closes the staff's panel.
     void leave_staff();
@@ -40,7 +40,7 @@ struct Turn {
            button == Button::kHandRight;
 }
 
-// Adds `by`, clamped from 1 to `most`.
+// Adds `by` and clamps the result to 1 ... most.
 inline void change(int& value, int by, int most) {
     value = std::clamp(value + by, 1, most);
 }

@@ -1,4 +1,5 @@
-// Where a visit stands, and how it is taken on: what its parts beside the frame know of it. Main thread.
+// The state of a visit and how to advance it: the interface that the visit's parts outside the flow use. Main
+// thread.
 #pragma once
 
 #include <string>
@@ -10,10 +11,10 @@ namespace onggi::visit {
 class VisitFlow {
   public:
     [[nodiscard]] virtual const kiosk::State& state() const = 0;
-    // Takes the state on and applies the effects before it returns. Precondition: a frame is being made, to
-    // whose moment the effects are applied.
+    // Advances the state and applies the effects before it returns. Precondition: called within frame(),
+    // because the effects use the frame's moment.
     virtual void dispatch(const kiosk::Event& event) = 0;
-    // A line for the log; warn(): of what went wrong and is borne.
+    // Logs a line. warn() logs an error that does not end the visit.
     virtual void say(const std::string& line) = 0;
     virtual void warn(const std::string& line) = 0;
 

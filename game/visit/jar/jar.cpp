@@ -1,6 +1,6 @@
 // A jar of two bowls, made as moon jars are: throw a bowl and set it aside, throw the second bowl, put the
-// first upside down on the second, close the seam. Undo works across the steps, and a collapse loses one bowl
-// at most. Before it begins it is told what lies ahead.
+// first upside down on the second, close the seam. Undo works across the steps, and a collapse loses at most
+// one bowl. A card announces the steps before the first.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ int place_of_step(const Page& page) {
     return static_cast<int>(page.view().state.throwing.jar.step) - 1;
 }
 
-// Where the last token begins on a wide or square ledge, and on a tall one below.
+// The last token: at the ledge's end, or in the second row of a tall screen.
 Rect last_token(const Page& page, float wide) {
     if (page.is_tall()) return {page.width() - 300.0F, second_row_y(page), 268.0F, 80.0F};
     const float edge = page.is_square() ? 20.0F : 32.0F;
@@ -63,7 +63,7 @@ std::string told_of(const Page& page, JarStep step) {
     return {};
 }
 
-// Where the two bowls are to be seen.
+// The box that shows both bowls.
 Rect bowls_box(const Page& page) {
     const float top = ledge_top(page);
     return page.by_shape(Rect{400.0F, 56.0F, 480.0F, top - 70.0F}, Rect{290.0F, 114.0F, 400.0F, top - 124.0F},
@@ -101,13 +101,13 @@ void add_join_ledge(Page& page) {
     const Rect join = last_token(page, 236.0F);
     const bool tall = page.is_tall();
     const float y = row_y(page);
-    // Named once, below both.
+    // Two buttons share one name below them.
     const float side_x = tall ? page.width() - 300.0F : join.x - 236.0F;
     const auto aside = [&](float x, Icon icon, Button button, const char* key) {
         page.token(page.on_ledge({x, y, 90.0F, 66.0F}), Look::kToken, button, page.t(key), 0, icon, false,
                    true);
     };
-    // What is left on the screen is left of the jar, whichever way the ledge is read.
+    // Left on the screen is left of the jar, even if the ledge is mirrored.
     const Rect first = page.on_ledge({side_x, y, 90.0F, 66.0F});
     const Rect second = page.on_ledge({side_x + 104.0F, y, 90.0F, 66.0F});
     const bool swaps = first.x > second.x;
@@ -196,7 +196,7 @@ void draw_join(Page& page) {
     add_join_ledge(page);
 }
 
-// Goes to the step with the clay that is on the wheel.
+// Enters the step and leaves the clay on the wheel.
 void go_to(Turn& turn, JarStep step) {
     JarMaking& jar = turn.state.throwing.jar;
     jar = {.step = step, .is_bowl = jar.is_bowl};
@@ -205,7 +205,7 @@ void go_to(Turn& turn, JarStep step) {
     turn.show(step == JarStep::kJoin ? Screen::kJoin : Screen::kThrow);
 }
 
-// Water, speed and tool size stay as the visitor chose them.
+// Keeps the water, speed and tool size that the visitor chose.
 void put_on_bowl_clay(Turn& turn, JarStep step) {
     Throwing& throwing = turn.state.throwing;
     throwing = {.target = throwing.target,
@@ -230,9 +230,9 @@ void end_bowl(Turn& turn, const Effect& with) {
     if (jar.is_bowl) ask(turn, with);
 }
 
-// Undoes the start of the current step: the clay is as it was at the end of the step before.
+// Undoes the start of the current step and restores the clay at the end of the previous one.
 void step_back(Turn& turn) {
-    turn.state.throwing.jar.is_bowl = false;  // until the bowl is back on the wheel
+    turn.state.throwing.jar.is_bowl = false;  // until the bowl is restored
     switch (turn.state.throwing.jar.step) {
         case JarStep::kAside:
         case JarStep::kSecondBowl:
@@ -252,7 +252,7 @@ void step_back(Turn& turn) {
     }
 }
 
-// What each event does at each step of the jar.
+// Handles each event by the current step of the jar.
 struct JarTaking {
     Turn& turn;
     JarMaking& jar = turn.state.throwing.jar;

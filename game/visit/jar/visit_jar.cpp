@@ -36,7 +36,7 @@ void VisitJar::forget() {
 }
 
 void VisitJar::look(const haptic::Snapshot& snapshot) {
-    constexpr double kLeastOfBowl = 2.0 / 3.0;  // fraction of its height
+    constexpr double kLeastOfBowl = 2.0 / 3.0;  // of the target bowl's height
     const kiosk::JarMaking& jar = flow_.state().throwing.jar;
     const bool throws_bowl = jar.step == JarStep::kFirstBowl || jar.step == JarStep::kSecondBowl;
     const heritage::Target* const after = target();

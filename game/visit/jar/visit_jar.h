@@ -1,5 +1,5 @@
-// A jar of two bowls in the making, as a visit sees it: the outline that is shown over the clay, the bowl
-// that was set aside, and the two held together. Main thread. mm.
+// A jar of two bowls in the making, as the scene shows it: the outline over the clay, the bowl that was set
+// aside, and both bowls held together. Main thread. mm.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace onggi::visit {
 
 class VisitJar {
   public:
-    // All outlive it. places: of State::throwing.target, in the table of targets.
+    // All references must outlive it. `places` maps State::throwing.target to rows of `targets`.
     VisitJar(const std::vector<heritage::Target>& targets, const std::vector<std::size_t>& places,
              VisitFlow& flow)
         : targets_(targets),
@@ -26,27 +26,29 @@ class VisitJar {
 
     void set_aside(std::shared_ptr<const pot::Pot> bowl);
     void forget();
-    // Tells the visit whether the clay on the wheel could be a half of the jar. Once a frame.
+    // Dispatches an event when the clay on the wheel becomes or stops being usable as a bowl of the jar. Call
+    // it once a frame.
     void look(const haptic::Snapshot& snapshot);
 
-    // Of the museum's pot that is thrown after; empty: none.
+    // The id of the target, or empty.
     [[nodiscard]] std::string target_id() const;
-    // What is thrown after: radius and height of the wet clay, from below; empty: nothing. Of a jar the bowl,
-    // and for the second bowl the first as it came out.
+    // The target's outline as radius and height of the wet clay, bottom to top; may be empty. For a jar it is
+    // the bowl's outline; for the second bowl, that of the thrown first bowl.
     [[nodiscard]] std::vector<vec2> outline() const;
-    // The bowl that was set aside, while it stands beside the wheel; null: none does.
+    // The bowl beside the wheel, or null.
     [[nodiscard]] std::shared_ptr<const pot::Section> aside() const;
-    // Where the upper bowl is held: x and z, in the clay's frame of a wheel that stands so.
+    // The offset (x, z) of the upper bowl in the clay's frame, for a wheel with this heading.
     [[nodiscard]] dvec2 shift_mm(const dvec2& heading) const;
-    // Across and outside, where the upper bowl's foot is to be cut open.
+    // Outer diameter at which the upper bowl's foot is cut open.
     [[nodiscard]] double mouth_mm() const;
-    // Of what is seen on the wheel.
+    // Height of the clay visible on the wheel, with the upper bowl while both are held together.
     [[nodiscard]] double height_mm(const haptic::Snapshot& snapshot) const;
-    // The bowl that was set aside is in the scene; over the clay while they are held together.
+    // Updates the bowl that was set aside in the scene: beside the wheel, or over the clay while both are
+    // held together.
     void show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot);
 
   private:
-    // Also under a panel.
+    // True also while a panel is open.
     [[nodiscard]] bool works_on(Finger what) const;
     [[nodiscard]] const heritage::Target* target() const;
 

@@ -1,4 +1,4 @@
-// Keeping a pot: on the day's shelf, on the wall of the day, and shared with a phone.
+// Keeping a pot: puts it on the day's shelf and on the wall of the day, and shares it with a phone.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,20 +17,20 @@ using ui::Align;
 using ui::Rect;
 
 constexpr float kCodeSide = 248.0F;
-// A camera at arm's length wants a code of this width (a tenth of the distance), and four modules of paper
-// around it (ISO/IEC 18004).
+// A camera at arm's length needs a code of this width (a tenth of the distance), with a quiet zone of four
+// modules (ISO/IEC 18004).
 constexpr float kLeastCodeMm = 60.0F;
 constexpr float kQuietModules = 4.0F;
 
-// Sharp at its edges: a module is a whole number of pixels. Never narrower than kLeastCodeMm where the card
-// has room for that.
+// A module is a whole number of pixels, for sharp edges. The code is at least kLeastCodeMm wide if the card
+// has room.
 Rect add_code(Page& page, const PhoneCode& code, vec2 top_middle, float room) {
     const auto modules = static_cast<float>(code.side);
     const float px_per_u = page.px_per_u();
     const float least = kLeastCodeMm * static_cast<float>(page.view().px_per_mm) / px_per_u;
     const float most = room * modules / (modules + 2.0F * kQuietModules);
     const float wanted = std::min(std::max(kCodeSide, least), most);
-    const bool is_least = wanted > kCodeSide;  // then it is rounded up, if that fits
+    const bool is_least = wanted > kCodeSide;  // then rounds up if the result fits
     const float exact = wanted * px_per_u / modules;
     float px = std::max(1.0F, is_least ? std::ceil(exact) : std::floor(exact));
     if (px * modules / px_per_u > most && px > 1.0F) px -= 1.0F;
@@ -56,7 +56,7 @@ Rect line_below(const Rect& card, float y, float height) {
     return {card.x + 20.0F, y, card.width - 40.0F, height};
 }
 
-// What is to be read first, and what goes with it.
+// Emphasised text.
 Words strong(std::string text) {
     return {
         .text = std::move(text), .type = design::kHeading, .colour = design::kInk, .align = Align::kCentre};
@@ -83,7 +83,7 @@ void add_wifi(Page& page, const Rect& card, const PhoneWay& way) {
 void add_packing(Page& page, const Rect& card) {
     page.words(line_below(card, card.y + 26.0F, 44.0F), strong(page.t("home.making")));
     constexpr float kCoil = 172.0F;
-    constexpr float kDone = 0.55F;  // some seconds, of which nobody counts
+    constexpr float kDone = 0.55F;  // fixed: the work takes some seconds and reports no progress
     ui::Sketch sketch;
     const ui::Placing placing{.at = vec2(0.0F), .scale = vec2(kCoil / kSpiralSide)};
     for (const auto& [part, colour] : {std::pair(1.0F, design::kRule), std::pair(kDone, design::kBareClay)}) {
@@ -94,7 +94,7 @@ void add_packing(Page& page, const Rect& card) {
     page.words(line_below(card, card.y + 356.0F, 36.0F), quiet(page.t("home.gone")));
 }
 
-// What stands in the way, kindly, and what can be done about it.
+// Explains in a friendly way what went wrong and what to do.
 void add_waiting(Page& page, const Rect& card, Icon icon, const char* title, const char* line,
                  const char* action) {
     ui::Sketch sketch;
@@ -134,7 +134,7 @@ bool has_phone_card(const View& view) {
     return view.state.keeping.phone != Phone::kNone && is_kept(view);
 }
 
-// The pots of the day on both sides of the new one, dimmer.
+// Draws the day's other pots, dimmer, on both sides of the new one.
 void day_pots(Page& page, vec2 new_foot) {
     const View& view = page.view();
     if (!view.shelf) return;
@@ -179,7 +179,7 @@ void keep_title(Page& page) {
                 .type = full ? design::bold(34.0F, 44.0F) : design::kTitle});
 }
 
-// The number of a kept pot, and what is promised about it.
+// Shows the number of a kept pot and the promise to keep it.
 void keep_promise(Page& page, float shelf_y) {
     const View& view = page.view();
     const bool tall = page.is_tall();
@@ -197,7 +197,7 @@ void keep_promise(Page& page, float shelf_y) {
                       .align = tall ? ui::Align::kCentre : ui::Align::kStart});
 }
 
-// To the wall of the day, on, and to the end.
+// Adds the tokens for the wall of the day, for another pot and for finishing.
 void keep_tokens(Page& page, float finish_width) {
     const View& view = page.view();
     const float width = page.width();
@@ -227,7 +227,7 @@ void keep_tokens(Page& page, float finish_width) {
                Button::kFinish, page.t("keep.end"));
     if (offers_wall) {
         const float room = width - 50.0F - again - finish_width - 18.0F - 32.0F;
-        // In a square picture the promise stands close above.
+        // In a square picture the promise ends just above.
         const float lower = square ? 30.0F : 0.0F;
         wall_token({32.0F, y + lower, std::min(room, 440.0F), 78.0F - 0.5F * lower});
     }
@@ -246,8 +246,8 @@ void draw_keep(Page& page) {
     day_pots(page, foot);
     new_pot(page, foot);
     keep_title(page);
-    // Brought low, the token of languages stands under the phone's card, or beside the last token.
-    // A code is only looked at and may stand high; what can be pressed may not.
+    // With low controls the languages' token is under the phone's card or beside the last token. The code may
+    // stay high, because it is never pressed.
     const Phone phone = view.state.keeping.phone;
     const bool asks = phone == Phone::kResting || phone == Phone::kOver;
     const float down = page.lower_by();
@@ -288,7 +288,7 @@ void take_saved(Turn& turn, std::optional<int> number) {
 
 void take_shared(Turn& turn, const event::Shared& shared) {
     Keeping& keeping = turn.state.keeping;
-    // Ignore answers about an earlier pot, whose visitor did not wait.
+    // Ignore answers about an earlier visitor's pot.
     if (keeping.number != shared.number) return;
     const bool waits = keeping.phone == Phone::kPacking;
     const bool has_code = keeping.phone == Phone::kWifi || keeping.phone == Phone::kReady;

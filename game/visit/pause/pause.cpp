@@ -1,5 +1,5 @@
-// What interrupts a visit: the countdown when nobody is there, languages and comfort, a pot that a power cut
-// left, a wheel that cannot work.
+// Interruptions of a visit: the idle countdown, the panel for language and comfort, the offer to continue an
+// interrupted pot, the fault screen.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,14 +65,14 @@ void draw_idle(Page& page) {
 
 constexpr float kComfortGap = 24.0F;
 
-// A token for each language. Gives the lowest edge of them.
+// Adds a token for each language. Returns the lower edge of the last.
 float language_tokens(Page& page) {
     const View& view = page.view();
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
     const int count = static_cast<int>(view.languages->size());
-    // Brought low, all of it stands close together in the lower half; more than four languages need more.
+    // With low controls the tokens are packed into the lower half; more than four languages need more room.
     const bool low = page.is_low();
     const int columns = tall ? (low ? 2 : 1) : std::min(count, 4);
     const int rows = (count + columns - 1) / columns;
@@ -84,7 +84,7 @@ float language_tokens(Page& page) {
     const float high = low ? (tall ? 84.0F : 80.0F) : tall ? 110.0F : count > 4 ? 84.0F : 150.0F;
     const float left =
         0.5F * (width - wide * static_cast<float>(columns) - gap * static_cast<float>(columns - 1));
-    // On a tall screen there is room above for the name of what the ring is on, below the title.
+    // A tall screen has room below the title for the ring's name.
     const float room = height - 588.0F - static_cast<float>(rows) * (high + between);
     const float tall_top = std::clamp(room, 140.0F, 232.0F);
     const float top = low ? 0.5F * height + 2.0F - static_cast<float>(tall ? 0 : rows - 1) * (high + between)
@@ -100,7 +100,7 @@ float language_tokens(Page& page) {
     return bottom;
 }
 
-// Sizes of text and sound, what is brought low, left, or kept still: in one row, on a tall screen in two.
+// Adds text size, volume, low controls, left hand and less motion in one row, or two on a tall screen.
 void comfort_controls(Page& page, float y) {
     const Comfort& comfort = page.view().state.comfort;
     const float width = page.width();
@@ -169,8 +169,7 @@ void draw_resume(Page& page) {
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
-    // The clay as it was left, waiting on a shelf: by its kind, for it is put on the wheel only when it is
-    // wanted.
+    // A drawn lump stands for the interrupted pot: the clay goes on the wheel only if the visitor accepts.
     page.museum({0.5F * width, 0.45F * height}, {0.5F * width, 0.55F * height}, 0.18F);
     const float shelf_y = tall ? 820.0F : height - 206.0F;
     page.shelf(shelf_y, 30.0F);
@@ -208,7 +207,7 @@ void draw_fault(Page& page) {
               design::kNight.with_alpha(0.93F));
     page.down({0.0F, words_y, width, height - words_y}, design::kNight.with_alpha(0.93F),
               design::kNight.with_alpha(0.97F));
-    // All languages at once: side by side, or one below the other.
+    // All languages at once, in columns or in rows.
     for (int i = 0; i < count; ++i) {
         const float column = (width - 48.0F) / static_cast<float>(count);
         const Rect rect =

@@ -24,7 +24,7 @@ constexpr ui::Colour kOk = ui::hex(0x9fd8a8);
 constexpr ui::Colour kWarn = ui::hex(0xffcf7a);
 constexpr ui::Colour kFault = ui::hex(0xffa49a);
 
-// A little beyond the edges: what rises into place leaves no strip open.
+// Extends beyond the screen's edges, so that no gap opens while the screen slides up.
 void ground(Page& page) {
     constexpr float kBeyond = 16.0F;
     page.box({0.0F, -kBeyond, page.width(), page.height() + 2.0F * kBeyond},
@@ -61,7 +61,7 @@ void title_bar(Page& page) {
     page.fixed_words({0.4F * page.width(), 13.0F, 0.6F * page.width() - 24.0F, 40.0F}, name);
 }
 
-// Before what cannot be taken back: nothing else can be pressed meanwhile.
+// Asks for confirmation of an irreversible action; disables all other buttons.
 void draw_question(Page& page) {
     const Staff& staff = page.view().state.staff;
     std::string question = "Quit the program?";
@@ -87,7 +87,7 @@ void draw_question(Page& page) {
     key(page, {box.right() - 24.0F - half, box.bottom() - 96.0F, half, 72.0F}, Button::kStaffYes, 0, yes);
 }
 
-// The last seconds' frames as bars: what lay between two of them, and in front of it what the device took.
+// Plots the frames of the last seconds as bars: the frame time and, in front, the GPU's time.
 void draw_plot(Page& page, const Rect& rect, const FramePlot& plot) {
     constexpr float kMostMs = 50.0F;
     const Rect field{rect.x, rect.y + 34.0F, rect.width, rect.height - 34.0F};
@@ -116,7 +116,7 @@ void draw_plot(Page& page, const Rect& rect, const FramePlot& plot) {
                      plain("Frames of 10 s; green: drawing; lines: 17 and 33 ms", page, kDim));
 }
 
-// The page's lines from the first that is wanted; gives how many were shown.
+// Draws the lines of the page from the first visible one. Returns the number drawn.
 int draw_lines(Page& page, const Rect& rect) {
     const std::vector<StaffLine>& lines = page.view().staff_lines;
     const int first = std::min(page.view().state.staff.first_line, static_cast<int>(lines.size()));
@@ -177,7 +177,7 @@ constexpr std::array kActions{Action{Button::kStaffForceTest, "Test the force"},
                               Action{Button::kStaffSoundTest, "Test the sound"},
                               Action{Button::kSoundLess, "Sound less"},
                               Action{Button::kSoundMore, "Sound more"},
-                              Action{Button::kStaffLanguage, "Begin in "},  // and which
+                              Action{Button::kStaffLanguage, "Begin in "},  // followed by the language
                               Action{Button::kStaffRestart, "Restart the program"},
                               Action{Button::kStaffQuit, "Quit"},
                               Action{Button::kStaffClose, "Close the panel"}};
@@ -224,7 +224,7 @@ void draw_staff(Page& page) {
     const View& view = page.view();
     const Staff& staff = view.state.staff;
     const float width = page.width();
-    // On the page of health the wheel is drawn underneath all the same: its frames are what is measured.
+    // The health page keeps the wheel drawn underneath, because it shows the frame times.
     if (staff.page != StaffPage::kHealth) page.covers();
     ground(page);
     title_bar(page);
@@ -256,7 +256,7 @@ void draw_staff(Page& page) {
     }
     const int shown = draw_lines(page, lines);
 
-    // One place each, whatever is shown; two columns under the list where the screen is tall.
+    // Each action has a fixed place; a tall screen has two columns under the list.
     const auto place = [&](std::size_t i) {
         const float step = tall ? 76.0F : 70.0F;
         if (!tall) return Rect{width - 24.0F - side, actions_top + static_cast<float>(i) * step, side, 62.0F};
@@ -307,7 +307,7 @@ void press_pin(Turn& turn, const event::Pressed& event) {
     turn.lay_over(Panel::kStaff);
 }
 
-// Handles the answer to a confirmation.
+// Handles the answer to draw_question().
 void answer_question(Turn& turn, bool yes) {
     Staff& staff = turn.state.staff;
     const StaffQuestion question = std::exchange(staff.question, StaffQuestion::kNone);

@@ -1,4 +1,4 @@
-// The pot has sunk: it stays in sight, turning, and there are three ways on.
+// The pot has collapsed. It stays visible on the turning wheel, and the visitor has three choices.
 #include <algorithm>
 
 #include "game/visit/jar/jar.h"
@@ -26,7 +26,7 @@ void draw_failure(Page& page) {
     const float width = page.width();
     const auto night = [](float alpha) { return design::kNight.with_alpha(alpha); };
     page.scene_ends();
-    // Deeper for larger text, so that the title does not take the second line's room.
+    // Larger text makes the band deeper, so that the second line fits under the title.
     const float deep = 128.0F + 24.0F * static_cast<float>(page.view().state.comfort.text_size - 1);
     page.down({0.0F, 0.0F, width, deep}, night(0.93F), night(0.88F));
     page.down({0.0F, deep, width, 92.0F}, night(0.88F), night(0.0F));
@@ -59,7 +59,7 @@ void press_failure(Turn& turn, const event::Pressed& event) {
         Throwing& throwing = turn.state.throwing;
         throwing.warning = Warning::kNone;
         turn.state.pace.progress_s = turn.now_s;
-        // At the same speed the clay would fly apart again before the visitor could slow the wheel.
+        // At the same speed the clay would fly off again before the visitor could slow the wheel.
         if (throwing.collapse == Warning::kFast)
             throwing.speed = std::max(1, std::min(throwing.speed - 1, Throwing().speed));
         turn.add(effect::BeforeCollapse{});

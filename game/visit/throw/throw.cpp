@@ -1,5 +1,5 @@
-// Throwing: the lesson, the tools, and the wheel's own hands, which demonstrate a step on the visitor's clay
-// on request, or unasked when the visitor makes no progress.
+// Throwing: the lesson, the tools, and the demonstrations. The wheel's own hands demonstrate a step on the
+// visitor's clay on request, or by themselves when the visitor makes no progress.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace onggi::visit {
 namespace {
 
-// Or the last one, if all are done.
+// The next step of the lesson; the last one if all are done.
 ShownStep next_step(const Throwing& throwing) {
     return static_cast<ShownStep>(std::min(throwing.steps_done, kTeachingSteps - 1));
 }
@@ -45,8 +45,8 @@ void pass_show(Turn& turn) {
         if (now_s - pace.shown_s >= rules.show_most_s) end_show(turn);
         return;
     }
-    // Once per step, and never while the visitor's hand is on the clay or holds a tool, or when the clay is
-    // near collapse.
+    // Demonstrate each step once, but never while the visitor touches the clay or holds a tool, nor when the
+    // clay is near collapse.
     const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !pace.held &&
                            throwing.held == tool::Tool::kHand && !throwing.tray &&
                            pace.seen_since_touch != next_step(throwing) && throwing.warning == Warning::kNone;
@@ -83,7 +83,7 @@ void press_throw(Turn& turn, const event::Pressed& event) {
             break;
         case Button::kCut:
             if (throwing.held != tool::Tool::kWire) break;
-            throwing.held = tool::Tool::kHand;  // the wire is laid back after one cut
+            throwing.held = tool::Tool::kHand;  // after one cut the wire is put back
             turn.add(effect::CutRim{});
             break;
         case Button::kToolLess:
@@ -114,14 +114,14 @@ void touch_clay(Turn& turn, bool goes_on) {
     State& state = turn.state;
     end_show(turn);
     end_aside(turn);
-    // Guided hands that a key started work on for a while; requests and cards of that time stay.
+    // Work by guided hands that a key started some time ago does not close cards opened since.
     if (!goes_on) state.throwing.tray = state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
     state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
     state.pace.touched_s = turn.now_s;
     state.pace.seen_since_touch.reset();
 }
 
-// What each event does; those that are not named here may be the jar's.
+// Handles the events of throwing; other events may be the jar's.
 struct ThrowTaking {
     Turn& turn;
     const Event& event;
@@ -193,7 +193,7 @@ std::string_view spoken_while_throwing(const State& state) {
     return kSteps[static_cast<std::size_t>(state.throwing.steps_done)];
 }
 
-// How far the lesson has come and how high the clay is, then what is held, the tray, a demonstration.
+// Adds the progress of the lesson and the clay's height, then the held tool, the tray, a demonstration.
 std::string title_of_throwing(const TitleFacts& facts) {
     constexpr std::array<std::string_view, kTrayTools.size()> kHeldNames{"", "rib", "sponge", "wire"};
     const Throwing& throwing = facts.shown.throwing;
@@ -211,7 +211,7 @@ std::string title_of_throwing(const TitleFacts& facts) {
 void finish_throwing(Turn& turn) {
     turn.state.throwing.held = tool::Tool::kHand;
     turn.state.throwing.tray = false;
-    // A bowl that is cut off before the bowls are joined is an ordinary pot.
+    // A bowl that is cut off before the joining is an ordinary pot.
     if (turn.state.throwing.jar.step != JarStep::kSeam) turn.state.throwing.jar = {};
     turn.add(effect::CutOff{});
     turn.state.firing = FiringStage::kCut;

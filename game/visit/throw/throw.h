@@ -1,14 +1,14 @@
-// Throwing: what its parts share, and when it shows the cue for the next move. Any thread, but the drawing.
+// Throwing: what its files and the jar share. Any thread, but the drawing.
 #pragma once
 
 #include "game/visit/flow/turn.h"
 
 namespace onggi::visit {
 
-// Whether the cue for the next move is visible now.
+// Returns whether the cue for the next move is visible now.
 [[nodiscard]] bool shows_hint(const State& state, double now_s, const Rules& rules);
 
-// The clay on the wheel becomes a pot, as it is.
+// Cuts the pot off the wheel as it is, and goes to the firing.
 void finish_throwing(Turn& turn);
 
 void draw_throw(Page& page);

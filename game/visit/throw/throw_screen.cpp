@@ -1,7 +1,6 @@
-// Throwing: the clay and nothing over it but the cue, which the stage draws; what can be done stands on the
-// ledge: the three steps of the lesson, tokens and steppers; while the wheel's own hands show a step, how to
-// take over; what there is to hold: hand, rib, sponge and wire. The danger is a sign on the pot, a card and a
-// section of the wall.
+// Throwing: the clay, with only the stage's cue over it. The ledge holds the three steps of the lesson,
+// tokens and steppers, and the tools (hand, rib, sponge, wire); during a demonstration, the button to take
+// over. A warning shows a sign on the pot, a card and a section of the wall.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +20,7 @@ constexpr std::array kHeldIcons{Icon::kHand, Icon::kRib, Icon::kSponge, Icon::kW
 constexpr std::array kHeldKeys{"tool.hand", "tool.rib", "tool.sponge", "tool.wire"};
 constexpr std::array kHeldLines{"tool.hand.line", "tool.rib.line", "tool.sponge.line", "tool.wire.line"};
 
-// A small sign at the end of a token.
+// Adds a small sign at the end of a token.
 void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
     constexpr float kSignSide = 26.0F;
     ui::Sketch sketch;
@@ -31,7 +30,7 @@ void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
                 target);
 }
 
-// What is to be done, and one line on what is in the hand.
+// Writes the task and one line about the held tool.
 void add_lines(Page& page, const Rect& place, const std::string& title, const std::string& line) {
     const Rect rect = page.on_ledge(place);
     const Words head{.text = title, .type = design::kName, .align = along_ledge(page)};
@@ -49,7 +48,7 @@ void add_back(Page& page, const Rect& place) {
 constexpr std::array kStepIcons{Icon::kStepPress, Icon::kStepOpen, Icon::kStepRaise};
 constexpr std::array kStepKeys{"step.press", "step.open", "step.raise"};
 
-// Three sections of the clay: what is done, what is next, what comes.
+// Draws three sections of the clay, for the steps that are done, current and to come.
 void steps(Page& page, float x, float y, float pitch, int done) {
     for (int i = 0; i < kTeachingSteps; ++i) {
         const bool current = i == done;
@@ -75,7 +74,7 @@ void steps(Page& page, float x, float y, float pitch, int done) {
     }
 }
 
-// The steps, and one line below or beside them.
+// Draws the steps and one line below or beside them.
 void teaching(Page& page, const std::string& text) {
     if (page.view().state.throwing.jar.step != JarStep::kNone) return add_jar_steps(page);
     const float y = ledge_top(page);
@@ -88,7 +87,7 @@ void teaching(Page& page, const std::string& text) {
     add_step_caption(page, text, 350.0F, 282.0F);
 }
 
-// The wall's section with its thinnest place.
+// Draws the wall's section with its thinnest place marked.
 void gauge(Page& page, const Rect& rect) {
     ui::Sketch sketch;
     constexpr float kDrawnWidth = 236.0F;
@@ -119,7 +118,7 @@ void add_held_token(Page& page, const Rect& place, float label_width) {
     add_sign(page, page.on_ledge(place), Icon::kMore, target);
 }
 
-// The ring comes to what is done to the clay first, and to the settings last.
+// Adds the controls in focus order: first actions on the clay, then settings.
 void controls(Page& page) {
     const Setting water = water_setting(page.view().state.throwing);
     const Setting speed = speed_setting(page.view().state.throwing);
@@ -167,7 +166,7 @@ void controls(Page& page) {
     add_stepper(page, {width - 356.0F, y, 156.0F, 66.0F}, speed, false);
 }
 
-// All rests but what takes over; and touching the clay does.
+// Disables all controls except the one for taking over. Touching the clay takes over too.
 void show_controls(Page& page) {
     const Setting water = water_setting(page.view().state.throwing);
     const Setting speed = speed_setting(page.view().state.throwing);
@@ -194,7 +193,8 @@ void show_controls(Page& page) {
     add_stepper(page, {right - 584.0F, y, 164.0F, 66.0F}, water, true);
     add_stepper(page, {right - 408.0F, y, 164.0F, 66.0F}, speed, true);
     const float left = square ? 32.0F : 276.0F;
-    const float high = 70.0F + (square ? growth(page).labels : 0.0F);  // else it ends above the caption
+    // otherwise the words end above the caption
+    const float high = 70.0F + (square ? growth(page).labels : 0.0F);
     page.words(page.on_ledge({left, y + 2.0F, right - 608.0F - left, high}), line);
     my_turn({right - 220.0F, y - 4.0F, 220.0F, 74.0F});
 }
@@ -203,24 +203,24 @@ float ledge_y(const Page& page) {
     return screens::ledge_y(page.shape(), page.height(), page.view().state.comfort);
 }
 
-// The button way for every drag, for who asks for controls within reach, and for who has one switch.
+// Visitors with low controls or a single switch get buttons in place of drags.
 bool has_hand_pad(const View& view) {
     return view.state.comfort.reach || view.scans;
 }
 
-// Where pot, tool and hands are to be seen: no words there but on cards.
+// The area of the pot, tool and hands; only cards may put words there.
 Rect pot_box(const Page& page) {
     if (page.view().state.comfort.reach)
         return {0.38F * page.width(), 0.42F * page.height(), 0.2F * page.width(),
                 ledge_y(page) - 0.42F * page.height()};
-    const bool padded = has_hand_pad(page.view());  // it stands beside the pot, over the wheel's edge
+    const bool padded = has_hand_pad(page.view());  // the pad covers the wheel's edge beside the pot
     const float top = ledge_y(page);
     return page.by_shape(Rect{340.0F, 56.0F, 600.0F, top - 70.0F},
                          Rect{260.0F, 114.0F, padded ? 450.0F : 510.0F, top - 124.0F},
                          Rect{90.0F, 240.0F, padded ? 330.0F : 550.0F, top - 260.0F});
 }
 
-// Along the target's outline. Drawn in the scene's pixels, never mirrored.
+// Draws the target's outline, in the scene's pixels; never mirrored.
 void outline(Page& page) {
     const View& view = page.view();
     const float u = 1.0F / page.px_per_u();
@@ -232,19 +232,20 @@ void outline(Page& page) {
     }
 }
 
-// A bowl that waits for the other one.
+// Draws the bowl that was set aside.
 void bowl_aside(Page& page) {
     const View& view = page.view();
     if (!view.aside) return;
     const vec2 foot = view.aside_foot_px / page.px_per_u();
     const float scale = view.aside_px_per_mm / page.px_per_u();
     const float reach = view.aside->radius_mm() * scale;
-    constexpr float kDaylight = 1.25F;  // beside the evening museum's, for which such pictures are lit
+    // relative to the museum's evening light, in which such pictures are drawn
+    constexpr float kDaylight = 1.25F;
     if (foot.x < -0.4F * reach || foot.y > ledge_y(page)) return;
     page.pot(*view.aside, finish::wet_clay(), scale, foot, kDaylight);
 }
 
-// Round what lies on the bench and may be picked up there.
+// Rings the tools on the bench that can be picked up.
 void bench_rings(Page& page) {
     const float u = 1.0F / page.px_per_u();
     for (const BenchTool& tool : page.view().bench) {
@@ -279,7 +280,7 @@ void warning_card(Page& page) {
     const bool square = page.is_square();
     const bool low = has_hand_pad(view) && page.shape() == Shape::kWide;
     const float width = page.width();
-    // Brought low, it stands across from the hand's keys.
+    // With low controls the card is opposite the hand's keys.
     const Rect card =
         tall  ? Rect{60.0F, 104.0F, 600.0F, 128.0F}
         : low ? page.mirrored({32.0F, 290.0F, 376.0F, 156.0F})
@@ -310,7 +311,7 @@ void warning_card(Page& page) {
                    {inner.width, inner.height + 4.0F}, 4.0F));
 }
 
-// As wide as its words, up to that; where they need more lines than it has room for, it grows down.
+// Adds a chip as wide as its words, at most as `rect`; more lines make it higher.
 void chip(Page& page, const Rect& rect, const std::string& text) {
     const Words words{.text = text, .type = design::kLabel, .align = ui::Align::kCentre};
     const float wide = std::min(rect.width, page.words_width(words) * page.text_scale() + 44.0F);
@@ -323,7 +324,7 @@ void chip(Page& page, const Rect& rect, const std::string& text) {
     page.words({body.x + 18.0F, body.y + 8.0F, body.width - 36.0F, body.height - 14.0F}, words, true);
 }
 
-// Why the clay does less than the finger asks, for the stage to set beside the cue.
+// Passes the stage the labels that say why the clay follows the finger only in part.
 void add_guards(Page& page) {
     for (int guard = 1; guard < kCueGuardCount; ++guard) {
         constexpr float kMostWide = 420.0F;
@@ -467,13 +468,13 @@ void draw_throw(Page& page) {
     } else {
         add_jar_card(page);
     }
-    // The ring comes to the hand's keys before it comes to what ends the throwing.
+    // In focus order, the hand's keys come before the button that ends the throwing.
     const Throwing& throwing = view.state.throwing;
     const bool works_clay = !throwing.shown && !throwing.tray && throwing.held != tool::Tool::kWire &&
                             throwing.jar.step != JarStep::kAside;
     if (has_hand_pad(view) && works_clay) add_hand_pad(page);
     add_throw_ledge(page);
-    // Brought low, they stand over the hand's keys, or across from them.
+    // With low controls the languages' token is above or opposite the hand's keys.
     const Rect languages = page.languages_token(low_languages(page, page.width() - 182.0F));
     add_forces(page);
     add_guards(page);
@@ -498,7 +499,7 @@ void draw_throw(Page& page) {
         chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
              page.t(throwing.jar.is_low ? "moon.low" : "moon.more"));
     } else if (!view.heard.empty()) {
-        // Where hand pad and caption have no room beside each other, the caption stands across from the pad.
+        // If the hand's pad and the caption do not fit side by side, the caption is opposite the pad.
         const bool beside = page.is_tall() && has_hand_pad(view);
         chip(page,
              beside ? page.mirrored({24.0F, y - 58.0F, 390.0F, 48.0F})

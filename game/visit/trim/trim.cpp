@@ -1,5 +1,5 @@
-// Trimming the foot of a leather-hard pot, which stands on its rim; offered if the foot has spare clay. The
-// ledge says how much lighter the pot has become.
+// Trimming the foot of a leather-hard pot, which stands on its rim. It is offered if the foot has spare clay.
+// The ledge shows the removed mass.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ Rect foot_box(const Page& page) {
                          Rect{90.0F, 240.0F, padded ? 330.0F : 550.0F, top - 260.0F});
 }
 
-// Beside what was taken, where the shape of the ledge has room for it.
+// Writes the line beside the removed mass, if the ledge has room.
 void words_on_ledge(Page& page, const Rect& grams, const Rect& line) {
     const Trimming& trimming = page.view().state.trimming;
     if (trimming.touched) {

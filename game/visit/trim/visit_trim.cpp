@@ -54,7 +54,7 @@ void VisitTrim::show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot)
         return scene.shave(0.0, dvec3(0.0));
     }
     over_ = pot::turned_over(*snapshot.pot);
-    over_.stage = clay::Firing::kDry;  // as it looks; it is measured and touched at the size it is
+    over_.stage = clay::Firing::kDry;  // look only: dry clay's colour, without shrinking
     scene.put_on_wheel(in_scene_, {.pot = &over_});
     const bool works = snapshot.tool.pressing && snapshot.result.grip.grip != clay::studio::Grip::kNone;
     const dvec2 at_mm = turned(works ? snapshot.result.grip.hand_mm : dvec2(snapshot.tool.position_mm));

@@ -1,5 +1,5 @@
-// Turning the foot, as a visit sees it: the pot upside down on its rim, the trimmer on it, and what a finger
-// there means to the clay, which the wheel keeps upright. Main thread. mm.
+// Trimming the foot, as the scene shows it: the pot stands upside down on its rim, with the trimmer. Maps the
+// finger's position to the clay, which stays upright in the haptic loop. Main thread. mm.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,22 @@
 
 namespace onggi::visit {
 
-// A wall above the floor that thick has clay to spare.
+// The least thickness of the wall above the floor that leaves clay to trim.
 constexpr double kThickFootMm = 9.0;
 
 class VisitTrim {
   public:
-    // It outlives it.
+    // `flow` must outlive it.
     explicit VisitTrim(VisitFlow& flow) : flow_(flow) {}
 
     void begin(const haptic::Snapshot& snapshot);
-    // Tells the visit how much was taken. Once a frame.
+    // Dispatches the removed mass when it changes. Call it once a frame.
     void look(const haptic::Snapshot& snapshot);
-    // What a place on the picture's plane is to the clay, and the other way round.
+    // Converts a point of the picture's plane to the clay's frame, and back.
     [[nodiscard]] dvec2 turned(const dvec2& place_mm) const;
-    // The pot, the hands and the shavings as they are seen then.
+    // Updates the pot, the hands and the shavings in the scene.
     void show(wheel::WheelScene& scene, const haptic::Snapshot& snapshot);
-    // Where the foot should come, of the pot that is shown: from there to there.
+    // The foot's range of heights on the pot that is shown upside down.
     struct Foot {
         double low_mm = 0.0;
         double high_mm = 0.0;
@@ -34,13 +34,13 @@ class VisitTrim {
     [[nodiscard]] const pot::Pot& pot() const { return over_; }
 
   private:
-    [[nodiscard]] bool is_there() const;  // the pot on its rim, under a panel too
+    [[nodiscard]] bool is_there() const;  // the pot is on its rim, perhaps under a panel
 
     VisitFlow& flow_;
     double begun_mm3_ = 0.0;
-    double height_mm_ = 0.0;  // of the clay, upright
+    double height_mm_ = 0.0;  // of the upright clay
     pot::Pot over_;
-    ecs::Entity in_scene_;  // that pot
+    ecs::Entity in_scene_;  // the pot on its rim
 };
 
 }  // namespace onggi::visit

@@ -104,7 +104,7 @@ TEST(AClockThatJumps, OpensAndClosesByTheClockOnTheWall) {
     EXPECT_EQ(minute_of_day_at(kSecondsOf32Bits + 1), 4 * 60 + 14);
 }
 
-TEST(AClockThatJumps, GivesEveryPotAPlaceOfItsOwnAndListsThemAll) {
+TEST(AClockThatJumps, LeavesEveryPotItsOwnFolderAndAllListed) {
     const test::TemporaryFolder folder;
     std::set<std::string> days;
     for (const std::int64_t now_s :

@@ -16,7 +16,7 @@ namespace {
     nothing();
 }
 
-TEST(CrashReport, SaysWhoCalledAFunctionThatIsNotThere) {
+TEST(CrashReport, NamesTheCallerOfAMissingFunction) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const auto crash = [] {
         ::signal(SIGSEGV, SIG_DFL);  // a sanitizer's would go first

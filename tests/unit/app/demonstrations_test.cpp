@@ -85,7 +85,7 @@ TEST(Show, GoesOnWithTheNextWhereOneIsMissingOrDamagedOrOfOtherClay) {
         << remarks[2];
 }
 
-TEST(Show, IsTheGestureWhereThereIsNoRecordingAndNothingWhereThereIsNeither) {
+TEST(Show, PlaysTheGestureWithoutRecordingsAndIsEmptyWithoutBoth) {
     const test::TemporaryFolder folder;
     list(folder.path(), "");
     std::vector<std::string> remarks;

@@ -19,7 +19,7 @@ namespace {
 
 using Verdict = Finding::Verdict;
 
-TEST(Findings, SayWhatALackCostsAndHowToMendIt) {
+TEST(Findings, StateTheCostAndRemedyOfALack) {
     const std::vector<Finding> findings{
         {.subject = "cores", .found = "two"},
         {.subject = "disk",
@@ -42,7 +42,7 @@ TEST(SystemProbes, SeeAFolderThatIsNotThere) {
     EXPECT_NE(probe_disk("/no/such/folder").found.find("/no/such/folder"), std::string::npos);
 }
 
-TEST(SystemProbes, FindTheWorkshopOfThisSourceTreeOrSayWhatIsLost) {
+TEST(SystemProbes, FindTheWorkshopOrReportItsLack) {
     EXPECT_EQ(probe_workshop().verdict, Verdict::kGood) << probe_workshop().found;
     ::setenv("ONGGI_ASSETS", "/no/such/folder", 1);
     const Finding none = probe_workshop();
@@ -78,7 +78,7 @@ TEST(SystemProbes, NameTheFontsThatAreMissing) {
     EXPECT_NE(nothing.remedy.find("fonts-noto-core"), std::string::npos);
 }
 
-TEST(SystemProbes, SayWhatTheKiosksSettingsWantOrThatThereAreNone) {
+TEST(SystemProbes, ReportTheKiosksSettingsOrTheirAbsence) {
     const test::TemporaryFolder folder;
     const std::string file = folder / "kiosk.toml";
     const std::vector<Finding> none = probe_settings("", file);
@@ -106,7 +106,7 @@ TEST(SystemProbes, SayWhatTheKiosksSettingsWantOrThatThereAreNone) {
     EXPECT_FALSE(std::filesystem::exists(folder / "not")) << "it only looks";
 }
 
-TEST(SystemProbes, SayWhatIsWrongWithTheKiosksSettings) {
+TEST(SystemProbes, ReportErrorsInTheKiosksSettings) {
     const test::TemporaryFolder folder;
     const std::string file = folder / "kiosk.toml";
     test::put_file(file, "[visit]\nforgivng = true\n");
@@ -163,7 +163,7 @@ TEST(SystemProbes, SayWhetherPhonesFindSharedPots) {
     EXPECT_NE(locked[locked.size() - 2].found.find("an outbox that can be written"), std::string::npos);
 }
 
-TEST(Findings, SayWhoHearsTheStopKey) {
+TEST(Findings, StateWhetherTheStopKeyIsReadable) {
     const Finding none = probe_stop_keys("/no/such/folder");
     EXPECT_EQ(none.verdict, Finding::Verdict::kNote);
     EXPECT_NE(none.found.find("in the window only"), std::string::npos) << none.found;

@@ -172,7 +172,7 @@ TEST_F(HandOnClay, ASwitchThatAsksForHigherFirstOpensByItself) {
     EXPECT_GT(height(), before_mm + 15.0);
 }
 
-TEST_F(HandOnClay, WhateverComesToThePointerTheClayStaysWhole) {
+TEST_F(HandOnClay, AnyPointerInputLeavesTheClayValid) {
     const double volume_mm3 = state_.volume_mm3();
     finger_.press({60.0, 20.0});
     frame();

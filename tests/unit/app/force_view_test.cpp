@@ -96,7 +96,7 @@ TEST(Forces, AreDrawnInTheirPlaces) {
     EXPECT_NEAR(frame.size_n[3], std::sqrt(0.09 + 0.0064 + 0.04), 1e-6);
 }
 
-TEST(Forces, AreNotShownWhereNothingIsTouchedNorLingerThere) {
+TEST(Forces, AreShownOnlyDuringATouch) {
     pot::Pot shape;
     haptic::Snapshot snapshot = touching(shape);
     ForceView view;

@@ -63,7 +63,7 @@ class AHouse : public testing::Test {
     kiosk::Config config_;
 };
 
-TEST_F(AHouse, HasNeverBeenStartedWhereNothingLies) {
+TEST_F(AHouse, HasNeverBeenStartedWithoutFiles) {
     const HouseStatus status = look(kNoonS);
     EXPECT_EQ(status.state, State::kNeverStarted);
     EXPECT_FALSE(status.is_well());
@@ -217,7 +217,7 @@ TEST_F(AHouse, WritesMetricsThatPrometheusReadsAndAnotherUserMay) {
     EXPECT_NE(test::content_of(file).find("onggi_up 0\n"), std::string::npos);
 }
 
-TEST_F(AHouse, SaysOnceWhatItCannotWriteAndGoesOnWithTheRest) {
+TEST_F(AHouse, ReportsAFailedWriteOnceAndWritesTheOtherFiles) {
     config_.staff.metrics_folder = (folder_ / "nowhere").string();
     KioskHeartbeat heart(config_);
     EXPECT_FALSE(heart.beat(busy_pulse(), kNoonS));

@@ -119,7 +119,7 @@ TEST_F(InterruptedVisit, IsGoneWhenItsLumpIsThrownAway) {
     EXPECT_EQ(found.pot->history().ticks(), 1000U);
 }
 
-TEST_F(InterruptedVisit, LeavesNothingWhenItIsOver) {
+TEST_F(InterruptedVisit, LeavesNoFileWhenItIsOver) {
     visit_.throw_until(3100);
     EXPECT_FALSE(fs::is_empty(state_));
     visit_.journal.drop();
@@ -134,7 +134,7 @@ TEST_F(InterruptedVisit, StaysWhenTheProgramIsAskedToEnd) {
     EXPECT_EQ(found.pot->history().ticks(), 3000U);
 }
 
-TEST_F(InterruptedVisit, ResumesAsFarAsItIsWhole) {
+TEST_F(InterruptedVisit, ResumesUpToItsLastIntactBlock) {
     visit_.throw_until(3100);
     const fs::path journal = folder_ / "state/visit-2.onggi.part";
     const std::string whole = test::content_of(journal);
@@ -158,7 +158,7 @@ TEST_F(InterruptedVisit, ResumesAsFarAsItIsWhole) {
     EXPECT_EQ(recover(state_).pot->history().ticks(), 1000U);
 }
 
-TEST_F(InterruptedVisit, IsDroppedWithALineWhereNothingIsWhole) {
+TEST_F(InterruptedVisit, IsDroppedWithALineIfNoBlockIsIntact) {
     constexpr std::size_t kMuch = std::size_t{1} << 20U;
     for (const std::string& bytes : {"not a session" + std::string(kMuch, ' '), std::string(kMuch, '\0')}) {
         fs::create_directories(state_);
@@ -172,7 +172,7 @@ TEST_F(InterruptedVisit, IsDroppedWithALineWhereNothingIsWhole) {
     }
 }
 
-TEST_F(InterruptedVisit, IsFoundAndLosesNothingWhereTheDiskFailsInTheMiddleOfItsFolder) {
+TEST_F(InterruptedVisit, IsFoundUnharmedIfTheDiskFailsWhileListingItsFolder) {
     visit_.throw_until(2345);
     const std::string journal = test::content_of(folder_ / "state/visit-2.onggi.part");
     fs::create_directories(folder_ / "after");
@@ -193,7 +193,7 @@ TEST_F(InterruptedVisit, IsFoundAndLosesNothingWhereTheDiskFailsInTheMiddleOfIts
     EXPECT_TRUE(fs::exists(folder_ / "after/left-over.onggi"));
 }
 
-TEST_F(InterruptedVisit, IsNoneWhereItEndedBeforeItsFirstBlock) {
+TEST_F(InterruptedVisit, DoesNotExistBeforeItsFirstBlock) {
     for (const std::size_t size : {std::size_t{0}, std::size_t{72}}) {
         fs::create_directories(state_);
         test::put_file(folder_ / "state/visit-1.onggi.part", std::string(size, '\0'));
@@ -214,7 +214,7 @@ TEST_F(InterruptedVisit, IsDroppedWhereTheWheelIsAnother) {
         << found.remarks[0];
 }
 
-TEST_F(InterruptedVisit, GivesUpWithOneLineWhereNothingCanBeWritten) {
+TEST_F(InterruptedVisit, GivesUpWithOneLineIfTheFolderIsNotWritable) {
     test::put_file(state_, "a file where a folder is wanted");
     visit_.tick(0);
     const auto written = visit_.journal.follow(visit_.history, 0);
@@ -296,7 +296,7 @@ TEST(InterruptedWheel, GoesOnOnTheWheelAndCanBeInterruptedAgain) {
     EXPECT_TRUE(wheel.waits_for([&] { return fs::is_empty(gallery / "state"); })) << "the visitor has left";
 }
 
-TEST(InterruptedWheel, IsNoneWhereTheVisitorHasLeft) {
+TEST(InterruptedWheel, DoesNotExistAfterTheVisitorHasLeft) {
     const test::TemporaryFolder gallery;
     {
         VisitedWheel wheel(gallery.path());

@@ -60,7 +60,7 @@ struct JarKeepingTest : testing::Test {
     std::vector<std::string> remarks;
 };
 
-TEST_F(JarKeepingTest, DropsWhatIsDamagedWithOneLine) {
+TEST_F(JarKeepingTest, DropsDamagedFilesWithOneLine) {
     for (const std::string text : {"", "{", "[]", R"({"format":1})",
                                    R"({"format":2,"stage":1,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
                                    R"({"format":1,"stage":7,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
@@ -136,7 +136,7 @@ TEST_F(JarKeepingTest, GivesBackTheBowlThatWasDoneLast) {
     EXPECT_FALSE(jar.has_bowl());
 }
 
-TEST_F(JarKeepingTest, LeavesNothingBehindWhenItIsForgotten) {
+TEST_F(JarKeepingTest, LeavesNoFileWhenForgotten) {
     JarKeeping jar = begun();
     haptic::History second = history_of(bowl(50.0));
     ASSERT_TRUE(jar.join(second, {}));
@@ -144,7 +144,7 @@ TEST_F(JarKeepingTest, LeavesNothingBehindWhenItIsForgotten) {
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-TEST_F(JarKeepingTest, TellsOfRimsThatCannotMeetAndChangesNothing) {
+TEST_F(JarKeepingTest, ReportsRimsThatDoNotMeetWithoutAChange) {
     JarKeeping jar = jar_in(folder.path());
     ASSERT_TRUE(jar.set_aside(history_of(bowl(50.0))));
     haptic::History second = history_of(bowl(70.0));

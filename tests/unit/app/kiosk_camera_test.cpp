@@ -83,7 +83,7 @@ TEST_P(CameraTest, DoesNotMoveForEveryMillimetre) {
     EXPECT_LE(moves, 12);
 }
 
-TEST_P(CameraTest, ComesDownForWhoSits) {
+TEST_P(CameraTest, IsLowerForASeatedVisitor) {
     kiosk::State state = on(Screen::kThrow);
     const CameraRequest usual = camera_.request(state, true, 120.0, sight_);
     state.comfort.reach = true;

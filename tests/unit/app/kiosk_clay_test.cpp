@@ -74,7 +74,7 @@ TEST_F(KioskClayTest, TakesABowlThatSpinsWideForAFailureThoughItHardlySinks) {
     EXPECT_EQ(clay.began_to_fail_tick(), 5000U);
 }
 
-TEST_F(KioskClayTest, JudgesWhatWasPutBackByHowItStandsThenThoughItGaveWayALittleBefore) {
+TEST_F(KioskClayTest, JudgesARestoredStateByItsOwnHeight) {
     haptic::PotCopy there = clay_of(1, 80.0, 50.0, true);
     clay.expect_state(seen(there, 9000));
     there.stamp.states_put = 1;

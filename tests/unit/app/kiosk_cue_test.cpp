@@ -78,7 +78,7 @@ TEST_F(Cue, FollowsAMouseThatHoversOverTheClay) {
     EXPECT_GT(taught->hold->low_mm, 40.0);
 }
 
-TEST_F(Cue, StaysWhereKeysWorkAlsoForWhoKnowsHow) {
+TEST_F(Cue, StaysWhereKeysActEvenForAnExperiencedVisitor) {
     EXPECT_FALSE(draws_up(2.0, 20.0));
     const auto place = cue_.look({.now_s = now_s_ += 0.016,
                                   .shape = shape_,
@@ -89,7 +89,7 @@ TEST_F(Cue, StaysWhereKeysWorkAlsoForWhoKnowsHow) {
     EXPECT_NEAR(place->hold->low_mm, 18.0, 1e-9);
 }
 
-TEST_F(Cue, LiesRoundWhatTheHandsHold) {
+TEST_F(Cue, SurroundsTheClayThatTheHandsHold) {
     const auto place = draws_up(0.3, 1.0);
     ASSERT_TRUE(place);
     EXPECT_NEAR(place->hold->low_mm, hand_mm_.y - 12.0, 0.5);
@@ -165,7 +165,7 @@ TEST_F(Cue, LeadsFromTheFingerToHandsThatLagBehindIt) {
 }
 
 // An experienced visitor, without the belt, still sees the lead of the finger.
-TEST_F(Cue, ThreadStaysForWhoKnowsTheWay) {
+TEST_F(Cue, ThreadStaysForAnExperiencedVisitor) {
     draws_up(3.0, 20.0);
     GripReport apart{.grip = Grip::kWall,
                      .hand_mm = hand_mm_ += dvec2(0.0, 0.3),

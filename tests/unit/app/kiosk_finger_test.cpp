@@ -64,7 +64,7 @@ TEST_F(KioskFingerTest, PressesWhereTheFingerIsAndEndsWithItAtOnce) {
     EXPECT_FALSE(finger_.works());
 }
 
-TEST_F(KioskFingerTest, LiesAsideWhenItHasLongDoneNothing) {
+TEST_F(KioskFingerTest, MovesAsideAfterALongIdleTime) {
     finger_.press({80.0, 50.0});
     EXPECT_EQ(after(finger_, shape_, 10.0).position_mm.x, 80.0) << "a finger that presses stays";
     finger_.release();
@@ -133,7 +133,7 @@ TEST_F(KioskFingerTest, PlaysAStepOfTheLessonAndStops) {
     EXPECT_NEAR(tool.position_mm.x, 54.0, 0.5);
 }
 
-TEST_F(KioskFingerTest, GivesWayToWhateverTheVisitorDoes) {
+TEST_F(KioskFingerTest, YieldsToAnyInputOfTheVisitor) {
     const std::vector<std::function<void()>> ways{[&] {
                                                       finger_.press({0.0, 60.0});
                                                   },
@@ -259,7 +259,7 @@ tool::ToolState holding(KioskFinger& finger, tool::Tool held, const pot::Pot& sh
     return finger.request({.tool = held}, shape, 1.0 / 60.0);
 }
 
-TEST_F(KioskFingerTest, HoldsWhatItIsGivenAndPressesWithIt) {
+TEST_F(KioskFingerTest, HoldsAndPressesItsTool) {
     EXPECT_EQ(holding(finger_, tool::Tool::kRib, shape_).tool, tool::Tool::kRib);
     finger_.press({70.0, 50.0});
     const auto tool = holding(finger_, tool::Tool::kSponge, shape_);

@@ -108,7 +108,7 @@ TEST_F(GalleryTest, KeepsAPotWholeUnderTheNextNumberOfTheDay) {
         EXPECT_GT(fs::file_size(folder_.path() / "2026-11-22/pot-008" / file), 50U) << file;
 }
 
-TEST_F(GalleryTest, LetsTheOldestGoWhereThereIsRoomForNoMore) {
+TEST_F(GalleryTest, DeletesTheOldestWhenItIsFull) {
     for (const char* name : {"2026-11-20/pot-001", "2026-11-21/pot-001", "2026-11-21/pot-002"})
         put_pot(folder_.path(), name);
     Gallery gallery = gallery_of(2);
@@ -117,7 +117,7 @@ TEST_F(GalleryTest, LetsTheOldestGoWhereThereIsRoomForNoMore) {
     EXPECT_EQ(names_of(gallery), (std::vector<std::string>{"2026-11-22/pot-001", "2026-11-21/pot-002"}));
 }
 
-TEST_F(GalleryTest, LetsNoneGoForAPotThatCannotBeKept) {
+TEST_F(GalleryTest, DeletesNoneForAPotThatCannotBeKept) {
     put_pot(folder_.path(), "2026-11-21/pot-001");
     Gallery gallery = gallery_of(1);
     Cut cut;
@@ -145,7 +145,7 @@ TEST_F(GalleryTest, LetsTheOldestGoUnderAClockThatHasGoneBackToo) {
               (std::vector<std::string>{"2026-11-21/pot-002", "1970-01-01/pot-002", "1970-01-01/pot-001"}));
 }
 
-TEST_F(GalleryTest, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
+TEST_F(GalleryTest, KeepsOnlyTheFinalClayIfATickWasLost) {
     Cut cut;
     haptic::TickRecord late;
     late.tick = 60;  // ten are missing
@@ -163,7 +163,7 @@ TEST_F(GalleryTest, KeepsTheClayAsItsSessionWhereATickOfItsMakingWasLost) {
     EXPECT_EQ(start->state.hash(), cut.history.state().hash());
 }
 
-TEST_F(GalleryTest, KeepsNothingAtAllOnADiskThatIsFull) {
+TEST_F(GalleryTest, WritesNoFileOnAFullDisk) {
     put_pot(folder_.path(), "2026-11-21/pot-001");
     kiosk::Config config = config_of(folder_.path());
     config.gallery.least_free_mb = 1e12;
@@ -188,7 +188,7 @@ TEST_F(GalleryTest, SaysWhereItCannotSave) {
     EXPECT_EQ(kept.error().message.find('\n'), std::string::npos);
 }
 
-TEST_F(GalleryTest, LosesNothingWhereTheDiskFailsInTheMiddleOfAFolder) {
+TEST_F(GalleryTest, LosesNoPotIfTheDiskFailsWhileListingAFolder) {
     for (int number = 1; number <= 30; ++number)
         put_pot(folder_.path(), fmt::format("2026-11-21/pot-{:03}", number));
     Gallery gallery = gallery_of(3);
@@ -234,7 +234,7 @@ struct KeeperTest : testing::Test {
                        folder.path() / "statistics"};
 };
 
-TEST_F(KeeperTest, DeletesWhatItIsToldByNameAndTellsWhatIsLeft) {
+TEST_F(KeeperTest, DeletesAPotByItsNameAndReportsTheOthers) {
     for (const char* name : {"2026-11-22/pot-001", "2026-11-22/pot-002", "2026-11-22/pot-003"})
         put_pot(folder.path(), name);
     keeper.survey();
@@ -253,7 +253,7 @@ TEST_F(KeeperTest, DeletesWhatItIsToldByNameAndTellsWhatIsLeft) {
     EXPECT_FALSE(fs::exists(folder.path() / "2026-11-22/pot-002"));
 }
 
-TEST_F(KeeperTest, DeletesNothingThatIsNoPotOfTheGallery) {
+TEST_F(KeeperTest, DeletesOnlyPotsOfTheGallery) {
     put_pot(folder.path(), "2026-11-22/pot-001");
     put_pot(folder.path(), "precious");
     for (const char* name : {"", ".", "..", "precious", "../precious", "2026-11-22", "2026-11-22/pot-001/.."})

@@ -80,7 +80,7 @@ TEST_F(Zones, GiveTheHottest) {
     EXPECT_EQ(hottest_celsius(folder_.path()), 63.5);
 }
 
-TEST_F(Zones, GiveNothingWhereNothingIsKnown) {
+TEST_F(Zones, AreEmptyWithoutASensor) {
     EXPECT_EQ(hottest_celsius(folder_.path()), std::nullopt);
     EXPECT_EQ(hottest_celsius(folder_.path() / "nowhere"), std::nullopt);
     zone("thermal_zone0", "broken\n");

@@ -65,7 +65,7 @@ TEST_F(KioskPhoneTest, CountsTheCodesItShowsAndThePagesThatAreOpened) {
     EXPECT_NE(noted.find(",1,0,0,0,0\n"), std::string::npos) << noted;
 }
 
-TEST_F(KioskPhoneTest, GivesNoneWhereAFileIsMissing) {
+TEST_F(KioskPhoneTest, ReturnsNoCodeIfAFileIsMissing) {
     fs::remove(folder_.path() / "gallery" / kName / "pot.stl");
     KioskPhone phone(settings_);
     const auto answer = answer_to_share(phone);
@@ -87,7 +87,7 @@ TEST_F(KioskPhoneTest, SaysThatACodeIsOverWhenTheStaffDeletesThePot) {
     EXPECT_TRUE(shared().empty());
 }
 
-TEST_F(KioskPhoneTest, TellsTheStaffWhatIsSharedUntilItIsWithdrawn) {
+TEST_F(KioskPhoneTest, ListsASharedPotForTheStaffUntilItIsWithdrawn) {
     KioskPhone phone(settings_);
     ASSERT_TRUE(phone.start());
     EXPECT_TRUE(surveyed(phone).empty());

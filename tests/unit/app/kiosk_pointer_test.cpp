@@ -112,7 +112,7 @@ TEST_F(KioskPointer, StaysOnItsButtonWhenAnotherOneGoes) {
     EXPECT_EQ(keys.pressed(), std::vector<Button>{Button::kToolMore});
 }
 
-TEST_F(KioskPointer, PressesNothingWhereItsButtonHasGone) {
+TEST_F(KioskPointer, PressesNoTargetIfItsButtonIsGone) {
     screens::Composition fewer = screen_without_done();
     finger.moves(150, 630).presses();
     finger.pointer.look_at(&fewer, 1, false);
@@ -127,7 +127,7 @@ TEST_F(KioskPointer, PressesNothingWhereItsButtonHasGone) {
     EXPECT_EQ(keys.pointer.focus(), 0) << "the ring is on the remaining button";
 }
 
-TEST_F(KioskPointer, RepeatsWhatRepeatsAndNothingElse) {
+TEST_F(KioskPointer, RepeatsOnlyRepeatingTargets) {
     finger.moves(320, 630).presses().waits(1.1).lifts();
     EXPECT_EQ(finger.pressed().size(), 3U) << "after half a second, and every quarter from then on";
     Finger other;
@@ -256,7 +256,7 @@ TEST_F(KioskPointer, LandsOnATargetWithoutWakingTheScreenFirst) {
     EXPECT_TRUE(finger.said(Kind::kLife)) << "a mouse that goes its way";
 }
 
-TEST_F(KioskPointer, TakesWhatTheRingIsOnWithoutWakingTheScreenFirst) {
+TEST_F(KioskPointer, PressesTheFocusedTargetWithoutWakingTheScreenFirst) {
     for (const window::Key key : {window::Key::kEnter, window::Key::kSpace}) {
         Finger hand;
         hand.types(key);

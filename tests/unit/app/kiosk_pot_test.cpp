@@ -35,7 +35,7 @@ clay::StudioClay thrown_after(const heritage::Target& target) {
     return clay;
 }
 
-TEST(FiredPot, StandsBesideWhatItResemblesOfAllPotsThatTheTablesHold) {
+TEST(FiredPot, StandsBesideTheMostSimilarPotOfTheTables) {
     const KioskSettings kiosk = settings();
     ASSERT_GT(kiosk.targets.size(), kiosk.exhibits->size());
     ASSERT_EQ(kiosk.relatives->size(), kiosk.targets.size());
@@ -50,13 +50,13 @@ TEST(FiredPot, StandsBesideWhatItResemblesOfAllPotsThatTheTablesHold) {
     EXPECT_TRUE(found.contains("pot.kylix")) << "which the choose screen does not show";
 }
 
-TEST(FiredPot, HasNoRelativeWhereThereAreNoPotsOfMuseums) {
+TEST(FiredPot, HasNoRelativeWithoutMuseumPots) {
     const clay::StudioClay clay;
     EXPECT_FALSE(fired_pot(clay, {}, nullptr).relative);
     EXPECT_FALSE(fired_pot(clay, settings().targets, nullptr).relative);
 }
 
-TEST(Relatives, HaveWordsInEveryLanguageAndSpeakForThemselvesWhereTheyHaveNone) {
+TEST(Relatives, HaveTextsInEveryLanguageOrShowTheTablesName) {
     const KioskSettings kiosk = settings();
     for (const screens::Exhibit& relative : *kiosk.relatives)
         for (const kiosk::Language& language : *kiosk.languages)

@@ -37,7 +37,7 @@ TEST_F(KioskSettingsTest, BeginWithTheLanguagesInTheOrderOfTheFile) {
     EXPECT_EQ(settings->rules.default_language, 1);
 }
 
-TEST_F(KioskSettingsTest, LetEnglishStandInForWhatATableLacksAndSayHowMuch) {
+TEST_F(KioskSettingsTest, ReplaceMissingTextsByEnglishAndReportTheirNumber) {
     put(folder / "words/de.tsv", "key\ttext\tspoken\tcheck\nname\tDeutsch\t\t\n");
     put(folder / "kiosk.toml",
         "[languages]\norder = [\"de\", \"en\"]\nfolder = \"" + (folder / "words").string() + "\"\n");
@@ -51,7 +51,7 @@ TEST_F(KioskSettingsTest, LetEnglishStandInForWhatATableLacksAndSayHowMuch) {
     EXPECT_NE(settings->remarks.front().find("English stands in"), std::string::npos);
 }
 
-TEST_F(KioskSettingsTest, LoseABadTableOfWordsAndNothingElse) {
+TEST_F(KioskSettingsTest, IgnoreOnlyAnInvalidTableOfWords) {
     put(folder / "words/ko.tsv", "key\ttext\tspoken\tcheck\nother\t말\n");
     put(folder / "words/fr.tsv", "no table\n");
     put(folder / "kiosk.toml", "[languages]\norder = [\"fr\", \"ko\"]\nfirst = \"ko\"\nfolder = \"" +
@@ -76,7 +76,7 @@ TEST_F(KioskSettingsTest, LoseABadTableOfWordsAndNothingElse) {
     EXPECT_EQ(load_settings((folder / "kiosk.toml").string())->languages->front().code(), "en");
 }
 
-TEST_F(KioskSettingsTest, RejectAFileThatIsNotThereOrWrong) {
+TEST_F(KioskSettingsTest, RejectAMissingOrInvalidFile) {
     EXPECT_FALSE(load_settings((folder / "none.toml").string()));
     put(folder / "bad.toml", "[sound]\nvolume = 11\n");
     const auto refused = load_settings((folder / "bad.toml").string());
@@ -100,7 +100,7 @@ TEST_F(KioskSettingsTest, GoOnWithTheHousesWhereTheMuseumsCannotBeRead) {
     EXPECT_FALSE(mended->config.staff.locked);
 }
 
-TEST_F(KioskSettingsTest, TakeWhatTheStaffSetOnlyWhereTheyAreToldTo) {
+TEST_F(KioskSettingsTest, KeepTheStaffsSettingsOnlyIfConfigured) {
     KioskSettings settings;
     settings.config = config_of(folder.path());
     settings.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
@@ -124,7 +124,7 @@ TEST_F(KioskSettingsTest, TakeWhatTheStaffSetOnlyWhereTheyAreToldTo) {
     EXPECT_TRUE(settings.remarks.empty());
 }
 
-TEST_F(KioskSettingsTest, SayWhatIsWrongWithAKeptVolumeAndGoOnWithTheirOwn) {
+TEST_F(KioskSettingsTest, ReportAnInvalidKeptVolumeAndUseTheirOwn) {
     KioskSettings settings;
     settings.config = config_of(folder.path());
     settings.config.sound.remember_staff = true;
@@ -138,7 +138,7 @@ TEST_F(KioskSettingsTest, SayWhatIsWrongWithAKeptVolumeAndGoOnWithTheirOwn) {
         << settings.remarks.front();
 }
 
-TEST_F(KioskSettingsTest, SayWhatTheirPanelCannotKeep) {
+TEST_F(KioskSettingsTest, ReportTextsAndTargetsTooSmallOnTheirPanel) {
     kiosk::Config config;
     EXPECT_TRUE(panel_lacks(config, 1920, 1080).empty()) << "24 inches at 600 mm";
     EXPECT_TRUE(panel_lacks(config, 3840, 2160).empty());

@@ -47,7 +47,7 @@ TEST(KioskSound, HearsBothHandsTheEdgeTheLoadAndTheWater) {
     EXPECT_EQ(scene.wetness, 0.3);
 }
 
-TEST(KioskSound, SaysInWordsWhatIsHeard) {
+TEST(KioskSound, HasCaptions) {
     EXPECT_EQ(caption_key({}), "") << "a wheel at rest";
     EXPECT_EQ(caption_key({.rev_min = 110.0}), "cap.wheel");
     EXPECT_EQ(caption_key({.rev_min = -110.0, .contact_n = 1.0, .wetness = 0.8}), "cap.water");
@@ -106,7 +106,7 @@ TEST(KioskSound, OpensTheDeviceWhenTheVolumeFirstRisesAndNotBefore) {
     EXPECT_EQ(made, 1) << "once";
 }
 
-TEST(KioskSound, StaysAsItIsWhereItsVolumeIsFixed) {
+TEST(KioskSound, KeepsAFixedVolume) {
     KioskSound silent(0.0, true);
     silent.set_volume(1.0);
     EXPECT_FALSE(silent.is_audible());

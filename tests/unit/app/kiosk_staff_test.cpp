@@ -47,7 +47,7 @@ TEST(StaffLines, SayOkWhereAllIsWell) {
 }
 
 // With the CPU backend, most drawing happens before the device's part.
-TEST(StaffLines, CountWhatTheHostDraws) {
+TEST(StaffLines, CountTheHostsDrawing) {
     Health health = well();
     health.device_ms = 0.4;
     health.parts = {{.name = "room", .ms = 0.52, .is_on_host = true},
@@ -73,7 +73,7 @@ TEST(StaffLines, WarnOfEachThingThatIsNot) {
     EXPECT_EQ(status("Sound", [](Health& h) { h.sound.clear(); }), "warn");
 }
 
-TEST(StaffLines, SayWhatIsNotKnownInsteadOfANumber) {
+TEST(StaffLines, ReplaceUnknownNumbersByWords) {
     Health health = well();
     health.celsius.reset();
     health.device_ms = 0.0;
@@ -122,7 +122,7 @@ TEST(StaffLines, SayWhichPotsPhonesMayFetchAndGiveThemAKeyToWithdraw) {
     EXPECT_EQ(lines[2].value, "2026-11-22/pot-001, no longer here");
 }
 
-TEST(StaffLines, SayHowManyPotsThereAreBeyondThoseTheyName) {
+TEST(StaffLines, CountThePotsBeyondThoseListed) {
     Health health = well();
     health.pots = {{0, "2026-11-22/pot-003"}};
     health.pots_beyond = 9000;
@@ -134,7 +134,7 @@ TEST(StaffLines, SayHowManyPotsThereAreBeyondThoseTheyName) {
     EXPECT_EQ(lines[2].code, 9);
 }
 
-TEST(StaffLines, TellEachDeviceWithWhatItCanAndWhyItCannot) {
+TEST(StaffLines, ListEachDeviceWithItsAbilityOrRefusal) {
     Health health = well();
     EXPECT_EQ(line(health, "Plugged in", StaffPage::kDevices).value, "none");
     health.holder = "SpaceMouse Compact";
@@ -147,7 +147,7 @@ TEST(StaffLines, TellEachDeviceWithWhatItCanAndWhyItCannot) {
     EXPECT_EQ(line(health, "DualSense", StaffPage::kDevices).status, "warn");
 }
 
-TEST(ForceTestWords, TellWhatTheHandDid) {
+TEST(ForceTestWords, DescribeTheHandsResponse) {
     EXPECT_EQ(force_test_words({}, "hand"), "");
     EXPECT_EQ(
         force_test_words({.stage = Stage::kDone, .given_n = {0.6, 0.59, 0.6}, .moved_mm = {3.0, 2.9, 3.1}},

@@ -85,7 +85,7 @@ TEST_F(KioskStatisticsTest, CountsADayByItsHours) {
     EXPECT_EQ(use.starts, 2);
 }
 
-TEST_F(KioskStatisticsTest, ReadsBackWhatItWroteAndNothingWhereNothingIs) {
+TEST_F(KioskStatisticsTest, ReadsItsFilesBackAndIsEmptyWithoutFiles) {
     EXPECT_EQ(use_of(folder.path() / "nowhere", today()), UseOfDay{});
     ASSERT_TRUE(note_visit(folder.path(), {95, kiosk::Screen::kKeep, true, 2}));
     ASSERT_TRUE(note_attract_break(folder.path()));

@@ -51,7 +51,7 @@ TEST_F(VoiceTest, ReadsALineWhenItIsDue) {
     EXPECT_EQ(voice.line(), nullptr) << "at once, whatever is still being read";
 }
 
-TEST_F(VoiceTest, IsSilentAboutWhatIsMissing) {
+TEST_F(VoiceTest, IsSilentWithoutARecording) {
     KioskVoice voice(folder_);
     ASSERT_TRUE(voice.start());
     voice.ask("en", "choose.title");
@@ -64,7 +64,7 @@ TEST_F(VoiceTest, IsSilentAboutWhatIsMissing) {
     EXPECT_EQ(none.line(), nullptr);
 }
 
-TEST_F(VoiceTest, SaysOnceWhatItCannotRead) {
+TEST_F(VoiceTest, ReportsAnUnreadableRecordingOnce) {
     write("ko/glz.title.wav", "no sound at all");
     KioskVoice voice(folder_);
     ASSERT_TRUE(voice.start());

@@ -26,7 +26,7 @@ Result<FrameOutcome> draw_nothing(const haptic::Snapshot& /*snapshot*/) {
     return FrameOutcome::kDrawn;
 }
 
-TEST(LiveLoop, PlaysAPathOnceWithEveryTickOfIt) {
+TEST(LiveLoop, PlaysEveryTickOfAPathOnce) {
     const auto report = run_live(modest_run(300, std::nullopt), draw_nothing);
     ASSERT_TRUE(report);
     EXPECT_EQ(report.value().ticks.ticks, 300U);
@@ -62,7 +62,7 @@ TEST(LiveLoop, ShowsSnapshotsThatGoForward) {
     EXPECT_GE(seen.size(), 2U);
 }
 
-TEST(LiveLoop, EndsWhenTheWindowIsClosedAndReportsWhatWas) {
+TEST(LiveLoop, EndsWithTheWindowAndReportsItsStatistics) {
     int frame = 0;
     const auto report =
         run_live(modest_run(1'000'000, std::nullopt), [&](const haptic::Snapshot& /*snapshot*/) {
@@ -104,7 +104,7 @@ TEST(LiveLoop, EndsWithTheErrorOfAFrame) {
     EXPECT_EQ(report.error().message, "the device was lost");
 }
 
-TEST(LiveStats, NameWhatTheContractNames) {
+TEST(LiveStats, HaveTheDocumentedFields) {
     LiveReport report;
     report.rate_hz = 4000.0;
     report.ticks.ticks = 90;
@@ -134,7 +134,7 @@ TEST(LiveStats, NameWhatTheContractNames) {
     EXPECT_TRUE(stats["ledger_error"].is_null());
 }
 
-TEST(LiveStats, SayWhatWasRefused) {
+TEST(LiveStats, ListRefusals) {
     LiveReport report;
     report.real_time.core.core = 1;
     report.real_time.pinning.grant = jobs::Grant::kRefused;

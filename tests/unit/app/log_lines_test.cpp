@@ -12,7 +12,7 @@ TEST(LogLines, SayEveryLineAtOnce) {
     EXPECT_EQ(lines.say("device: a pedal is gone", 0.0), "device: a pedal is gone");
 }
 
-TEST(LogLines, CountWhatComesAgainWithinAMinute) {
+TEST(LogLines, CountRepetitionsWithinAMinute) {
     LogLines lines;
     EXPECT_TRUE(lines.say("the wheel rests", 0.0));
     for (int second = 5; second < 60; second += 5)

@@ -10,7 +10,7 @@
 namespace onggi::app {
 namespace {
 
-TEST(PictureNote, IsThereTheNextTime) {
+TEST(PictureNote, IsKeptForTheNextRun) {
     const test::TemporaryFolder folder;
     const std::filesystem::path state = folder.path() / "state";
     PictureNote note(state);
@@ -30,7 +30,7 @@ TEST(PictureNote, IsWrittenOnlyWhereItIsAnother) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "picture"));
 }
 
-TEST(PictureNote, TakesNothingFromAFileThatCannotBeOne) {
+TEST(PictureNote, IsEmptyForAnInvalidFile) {
     const test::TemporaryFolder folder;
     std::ofstream(folder.path() / "picture") << std::string(100'000, 'x');
     EXPECT_EQ(PictureNote(folder.path()).read(), "");

@@ -35,7 +35,7 @@ TEST(Report, KnowsTheJournalByTheStreamThatSystemdNames) {
     EXPECT_FALSE(is_none);
 }
 
-TEST(Report, SaysALineAnEventWhateverIsInIt) {
+TEST(Report, WritesOneLinePerEventForAnyText) {
     testing::internal::CaptureStderr();
     warn("two\nlines");
     remark("one");

@@ -85,7 +85,7 @@ class Manager {
 
 using Words = std::vector<std::string>;
 
-TEST(Service, TellsItsManagerWhatGoesOn) {
+TEST(Service, NotifiesItsManager) {
     const test::TemporaryFolder folder;
     for (const std::string& name : {folder.path().string() + "/notify", std::string()}) {
         Manager manager(name);

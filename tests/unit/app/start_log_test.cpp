@@ -74,7 +74,7 @@ TEST(StartLog, HoldsNoMoreThanAFewFalls) {
     EXPECT_LT(text_of(log).size(), 1000U);
 }
 
-TEST(StartLog, ReadsWhatItWrote) {
+TEST(StartLog, ReadsItsOwnFile) {
     const StartLog log{.is_running = true, .falls_s = {kNow, kNow + 7}};
     const auto read = read_start_log(text_of(log), "starts");
     ASSERT_TRUE(read) << read.error().message;
@@ -154,7 +154,7 @@ TEST(GalleryLock, IsHeldByOneProcessUntilItEndsHoweverItEnds) {
     EXPECT_TRUE(nowhere.take("/proc/none")) << "what cannot be written cannot be mixed up";
 }
 
-TEST(StartKeeper, StartsWhereNothingCanBeWritten) {
+TEST(StartKeeper, StartsWithoutAWritableFolder) {
     const test::TemporaryFolder folder;
     test::put_file(folder / "state", "a file where a folder is wanted");
     std::vector<std::string> remarks;

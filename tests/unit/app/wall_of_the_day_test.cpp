@@ -88,7 +88,7 @@ TEST_F(WallTest, StartsEmptyIfItsFileIsDamaged) {
     EXPECT_EQ(wall_.pots().size(), 1U);
 }
 
-TEST_F(WallTest, ShowsWhatTheDiskDoesNotTake) {
+TEST_F(WallTest, ShowsAPotThatTheDiskCannotStore) {
     std::ofstream(folder_.path() / "state") << "a file where the folder should be";
     EXPECT_FALSE(wall_.put(pot_called("new"), kToday));
     EXPECT_EQ(wall_.pots().size(), 1U);

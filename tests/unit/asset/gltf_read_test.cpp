@@ -63,7 +63,7 @@ struct GltfRead : testing::Test {
     Sample sample;
 };
 
-TEST_F(GltfRead, GivesBackWhatTheWriterWrote) {
+TEST_F(GltfRead, ReadsTheWritersFilesBack) {
     const Mesh mesh = tetrahedron();
     const auto bytes = encode_glb({.name = "pot",
                                    .generator = "test",
@@ -101,7 +101,7 @@ TEST_F(GltfRead, ReadsTheWorkshop) {
     }
 }
 
-TEST_F(GltfRead, MakesNormalsWhereTheFileHasNone) {
+TEST_F(GltfRead, ComputesMissingNormals) {
     const GltfModel model = read(Sample{});
     for (const vec3& normal : model.parts.at(0).mesh.normals)
         EXPECT_EQ(normal, vec3(0.0F, 0.0F, 1.0F));
@@ -118,7 +118,7 @@ TEST_F(GltfRead, PlacesAMeshByAllTheNodesAboveIt) {
     EXPECT_LT(glm::distance(part.mesh.positions_m[1], vec3(8.0F, 2.0F, 0.0F)), 1e-5F);
 }
 
-TEST_F(GltfRead, TakesAMatrixInsteadOfItsParts) {
+TEST_F(GltfRead, AcceptsAMatrixInsteadOfItsParts) {
     sample.tree["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 4, 5, 1};
     EXPECT_EQ(read(sample).parts.at(0).mesh.positions_m[0], vec3(3.0F, 4.0F, 5.0F));
 }
@@ -155,7 +155,7 @@ TEST_F(GltfRead, ReadsStripsAndFans) {
     expect_refused(sample, "expected triangles, found mode 7");
 }
 
-TEST_F(GltfRead, LeavesOutWhatHasNoSurfaceAndNamesIt) {
+TEST_F(GltfRead, SkipsAndNamesPartsWithoutASurface) {
     sample.tree["nodes"].push_back({{"mesh", 1}});
     sample.tree["nodes"].push_back({{"mesh", 2}});
     sample.tree["scenes"][0]["nodes"] = {0, 1, 2, 1};
@@ -207,7 +207,7 @@ TEST_F(GltfRead, ReadsColoursAsLinearShares) {
     EXPECT_EQ(model->parts[0].colours[0], vec4(1.0F, 0.0F, 0.2F, 1.0F));
 }
 
-TEST_F(GltfRead, RejectsWhatIsNoGlb) {
+TEST_F(GltfRead, RejectsOtherFiles) {
     expect_refused(std::span<const std::byte>(), "binary glTF 2.0");
     expect_refused(std::as_bytes(std::span("{\"asset\": {\"version\": \"2.0\"}}")), "binary glTF 2.0");
     std::vector<std::byte> old = Sample{}.bytes();
@@ -237,7 +237,7 @@ TEST_F(GltfRead, SurvivesAnyByteChanged) {
     }
 }
 
-TEST_F(GltfRead, RejectsWhatIsLargerThanItsLimits) {
+TEST_F(GltfRead, RejectsFilesBeyondItsLimits) {
     expect_refused(Sample{}, "at most 100 bytes", {.max_bytes = 100});
     expect_refused(Sample{}, "1 to 2 elements", {.max_vertices = 2});
     Sample two;
@@ -295,7 +295,7 @@ TEST_F(GltfRead, RejectsNumbersThatAreNotFinite) {
     expect_refused(sample, "finite");
 }
 
-TEST_F(GltfRead, RejectsWhatIsNoPlainTriangles) {
+TEST_F(GltfRead, RejectsUnsupportedPrimitives) {
     sample.tree["meshes"][0]["primitives"][0]["mode"] = 1;
     expect_refused(sample, "triangles");
     sample = {};

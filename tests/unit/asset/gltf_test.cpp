@@ -94,7 +94,7 @@ void expect_refused(const GltfContent& content, const std::string& words) {
     EXPECT_NE(bytes.error().message.find(words), std::string::npos) << bytes.error().message;
 }
 
-TEST(Glb, RejectsWhatIsNoMesh) {
+TEST(Glb, RejectsAnInvalidMesh) {
     GltfContent bad = content();
     bad.mesh.indices.clear();
     expect_refused(bad, "at least one triangle");

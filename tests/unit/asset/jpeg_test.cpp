@@ -24,7 +24,7 @@ std::string small() {
     return bytes_of("tests/unit/asset/files/red_blue.jpg");
 }
 
-TEST(Jpeg, BringsColoursBackWithinWhatItsCompressionLoses) {
+TEST(Jpeg, KeepsColoursWithinItsCompressionError) {
     const std::string file = small();
     const Result<Image> image = decode_jpeg(as_bytes(file), "red_blue.jpg");
     ASSERT_TRUE(image) << image.error().message;
@@ -51,7 +51,7 @@ TEST(Jpeg, ReadsEveryBackgroundOfTheWorkshop) {
     }
 }
 
-TEST(Jpeg, RejectsWhatIsNoJpeg) {
+TEST(Jpeg, RejectsOtherFiles) {
     const std::string text = "t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\n0,0,0,0,0,10\n";
     const Result<Image> image = decode_jpeg(as_bytes(text), "gesture.csv");
     ASSERT_FALSE(image);
@@ -81,7 +81,7 @@ TEST(Jpeg, RejectsAClaimedSizeBeforeItAllocatesForIt) {
     EXPECT_NE(image.error().message.find("at most 8192"), std::string::npos) << image.error().message;
 }
 
-TEST(Jpeg, SaysWhatIsWrongInOneLineNamingTheFile) {
+TEST(Jpeg, ReportsErrorsInOneLineWithTheFile) {
     const std::string whole = small();
     const Result<Image> image = decode_jpeg(as_bytes(whole).first(whole.size() - 6), "plates/a.jpg");
     ASSERT_FALSE(image);

@@ -58,7 +58,7 @@ TEST(Png, RejectsAPictureWhoseBytesDoNotFitItsSize) {
     }
 }
 
-TEST(Png, RejectsWhatIsNoPng) {
+TEST(Png, RejectsOtherFiles) {
     const std::string_view text = "t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\n0,0,0,0,0,10\n";
     const Result<Image> image = decode_png(std::as_bytes(std::span(text)), "gesture.csv");
     ASSERT_FALSE(image);

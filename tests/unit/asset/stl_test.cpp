@@ -72,7 +72,7 @@ TEST(Stl, RejectsATriangleWithoutArea) {
     EXPECT_EQ(bytes.error().message, "mesh: triangle 1: expected an area above zero");
 }
 
-TEST(Stl, RejectsWhatIsNoMesh) {
+TEST(Stl, RejectsAnInvalidMesh) {
     EXPECT_FALSE(encode_stl({}, "pot"));
     Mesh mesh = tetrahedron();
     mesh.indices[0] = 99;

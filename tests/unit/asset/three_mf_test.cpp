@@ -65,7 +65,7 @@ std::string model_with(const ThreeMfWords& words) {
     return support::zip_parts(in_3mf(tetrahedron(), words)).at("3D/3dmodel.model");
 }
 
-TEST(ThreeMf, KeepsWordsWhateverTheyAre) {
+TEST(ThreeMf, KeepsAnyText) {
     const std::string model = model_with({.title = "a <pot> & \"bowl\"",
                                           .description = "\xed\x95\xad\xec\x95\x84\xeb\xa6\xac\n1",
                                           .application = ""});
@@ -98,7 +98,7 @@ TEST(ThreeMf, IsTheSameBytesEveryTime) {
     EXPECT_EQ(in_3mf(tetrahedron()), in_3mf(tetrahedron()));
 }
 
-TEST(ThreeMf, RejectsWhatIsNoMesh) {
+TEST(ThreeMf, RejectsAnInvalidMesh) {
     EXPECT_FALSE(encode_3mf({}, kWords));
     Mesh mesh = tetrahedron();
     mesh.indices[0] = 99;

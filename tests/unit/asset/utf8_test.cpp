@@ -21,7 +21,7 @@ TEST(ValidUtf8, LeavesWellFormedTextAlone) {
     }
 }
 
-TEST(ValidUtf8, MarksWhatNoTextHolds) {
+TEST(ValidUtf8, ReplacesInvalidBytes) {
     EXPECT_EQ(valid_utf8("caf\xE9"), "caf" + marks(1));  // Latin-1
     EXPECT_EQ(valid_utf8("\xE9t\xE9"), marks(1) + "t" + marks(1));
     EXPECT_EQ(valid_utf8("\xC0\x80"), marks(2));  // overlong
@@ -35,7 +35,7 @@ TEST(ValidUtf8, MarksWhatNoTextHolds) {
     EXPECT_EQ(valid_utf8("\xF0\x9F\x98"), marks(3));
 }
 
-TEST(ValidUtf8, GivesTextThatStaysAsItIs) {
+TEST(ValidUtf8, ReturnsTextThatIsStable) {
     for (int a = 0; a < 256; ++a) {
         for (int b = 0; b < 256; ++b) {
             const std::string bytes{static_cast<char>(a), static_cast<char>(b), 'x'};

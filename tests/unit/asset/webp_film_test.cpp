@@ -65,7 +65,7 @@ TEST(WebpFilm, OfOnePictureIsAFilm) {
     EXPECT_EQ(test::webp_frames(film(100.0, 1)).images.size(), 1U);
 }
 
-TEST(WebpFilm, RejectsWhatItCannotPack) {
+TEST(WebpFilm, RejectsInvalidInput) {
     for (const WebpFilmDesc& desc :
          {WebpFilmDesc{.width = 0}, WebpFilmDesc{.height = kMaxImageSide + 1}, WebpFilmDesc{.quality = -1.0},
           WebpFilmDesc{.quality = 101.0}, WebpFilmDesc{.quality = std::nan("")}}) {

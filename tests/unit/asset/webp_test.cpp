@@ -42,7 +42,7 @@ TEST(Webp, KeepsAlphaToTheBitAndColoursNearly) {
     EXPECT_LT(bytes->size(), encode_png(image)->size());
 }
 
-TEST(Webp, RefusesWhatIsNoPicture) {
+TEST(Webp, RejectsAnInvalidPicture) {
     EXPECT_FALSE(encode_webp({.width = 0, .height = 4, .rgba = {}}, 80));
     EXPECT_FALSE(encode_webp({.width = 4, .height = 4, .rgba = std::vector<std::uint8_t>(60)}, 80));
     const auto refused = encode_webp(disc(), 101);

@@ -39,7 +39,7 @@ TEST(PaperParameters, RejectsARateNoLoopRunsAt) {
               "clay parameter rate, Hz: expected 100 to 10000, found 50");
 }
 
-TEST(PaperParameters, RejectsWhatIsNegativeOrNotANumber) {
+TEST(PaperParameters, RejectsNegativeNumbersAndNan) {
     for (const double bad : {-1e-9, kNaN, kInfinity, -kInfinity}) {
         EXPECT_FALSE(check({.viscosity_c2_n_s_per_mm = bad})) << bad;
         EXPECT_FALSE(check({.friction_c3_n_s_per_mm = bad})) << bad;

@@ -79,7 +79,7 @@ long kb_for_reading() {
     return memory_kb(untouched) - before_kb;
 }
 
-TEST(SparseFloats, TakeMemoryForWhatIsWrittenAloneUntilToldToTakeAll) {
+TEST(SparseFloats, TakeMemoryOnlyForWrittenPagesUntilAllIsCommitted) {
     const long reading_kb = kb_for_reading();
     SparseFloats floats(kCount);
     const long before_kb = memory_kb(floats);

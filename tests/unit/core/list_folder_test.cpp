@@ -11,7 +11,7 @@
 namespace onggi {
 namespace {
 
-TEST(ListFolder, FindsWhatLiesThere) {
+TEST(ListFolder, FindsAllEntries) {
     const test::TemporaryFolder folder;
     test::put_file(folder / "b", "");
     test::put_file(folder / ".a", "");
@@ -23,14 +23,14 @@ TEST(ListFolder, FindsWhatLiesThere) {
               (std::vector<std::filesystem::path>{folder / ".a", folder / "b", folder / "c"}));
 }
 
-TEST(ListFolder, FindsNothingWhereThereIsNoFolder) {
+TEST(ListFolder, IsEmptyWithoutAFolder) {
     const test::TemporaryFolder folder;
     const FolderListing listing = list_folder(folder / "nowhere");
     EXPECT_TRUE(listing.is_whole());
     EXPECT_TRUE(listing.entries.empty());
 }
 
-TEST(ListFolder, SaysInOneLineWhatIsNoFolder) {
+TEST(ListFolder, ReportsAFileInOneLine) {
     const test::TemporaryFolder folder;
     test::put_file(folder / "file", "");
     const FolderListing listing = list_folder(folder / "file");
@@ -40,7 +40,7 @@ TEST(ListFolder, SaysInOneLineWhatIsNoFolder) {
         (folder / "file").string() + ": expected to list all that is in this folder, found: Not a directory");
 }
 
-TEST(ListFolder, KeepsWhatItHasWhereTheDiskFailsInTheMiddle) {
+TEST(ListFolder, KeepsItsEntriesIfTheDiskFails) {
     const test::TemporaryFolder folder;
     for (int i = 0; i < 40; ++i)
         test::put_file(folder / ("file-" + std::to_string(i)), "");

@@ -7,7 +7,7 @@
 namespace onggi {
 namespace {
 
-TEST(NumberIn, IsTheWholeTextOrNone) {
+TEST(NumberIn, ParsesTheWholeTextOrFails) {
     EXPECT_EQ(number_in<int>("-17"), -17);
     EXPECT_EQ(number_in<double>("1e-3"), 1e-3);
     EXPECT_EQ(number_in<std::uint64_t>("18446744073709551615"), UINT64_MAX);

@@ -23,7 +23,7 @@ TEST(Result, HoldsAValueOrAnError) {
     EXPECT_EQ(none.error().message, "expected an even number, found 7");
 }
 
-TEST(Result, OfNothingHoldsSuccessOrAnError) {
+TEST(Result, OfVoidHoldsSuccessOrAnError) {
     EXPECT_TRUE(Result<void>{});
     EXPECT_FALSE(Result<void>{failed("no")});
 }

@@ -26,7 +26,7 @@ TEST(Table, GivesFieldsAsTheyAreWritten) {
 }
 
 // As editors and spreadsheets of all kinds leave it.
-TEST(Table, TakesWhatAnEditorMakesOfIt) {
+TEST(Table, AcceptsFilesOfCommonEditors) {
     for (const char* text :
          {"\xef\xbb\xbf"
           "a,b,c\n1,2,\n",
@@ -55,7 +55,7 @@ TEST(Table, RejectsAnotherHeader) {
               "t.csv:1: expected the header a,b,c, found 'a,b\\xc2\\xa0,c'");
 }
 
-TEST(Table, RejectsRowsThatAreNone) {
+TEST(Table, RejectsInvalidRows) {
     EXPECT_EQ(refusal("a,b,c\n1,2,3\n1,2,3,4\n"), "t.csv:3: expected 3 columns, found 4");
 }
 
@@ -66,7 +66,7 @@ TEST(Table, RejectsQuotesThatDoNotFit) {
     EXPECT_EQ(refusal("a,b,c\n1,\"2\"x,3\n"), "t.csv:2: expected ',' after the closing quote, found 'x,3'");
 }
 
-TEST(Table, RejectsWhatIsNoText) {
+TEST(Table, RejectsInvalidText) {
     EXPECT_EQ(refusal("a,b,c\n1,\t,3\n"), "t.csv:2: column 2: expected text, found '\\x09'");
     EXPECT_EQ(refusal("a,b,c\n1,2,\xff\n"), "t.csv:2: column 3: expected text, found '\\xff'");
     EXPECT_NE(refusal(std::string(kMaxTableBytes + 1, 'x')).find("at most 1048576 bytes"), std::string::npos);

@@ -93,7 +93,7 @@ TEST(Canvas, UndoingFiveHundredStrokesGoesBackOverTheSameBytesToTheBlankWall) {
     EXPECT_FALSE(canvas.undo());
 }
 
-TEST(Canvas, WhatIsDrawnAfterAnUndoingLiesOnWhatWasLeft) {
+TEST(Canvas, AStrokeAfterAnUndoIsDrawnOnTheRemainingStrokes) {
     const Stroke first = band_at(Technique::kIron, 60, 500);
     const Stroke second = band_at(Technique::kCobalt, 62, 500);
     const Stroke third = band_at(Technique::kFinger, 64, 2400);
@@ -120,7 +120,7 @@ TEST(Canvas, ABrushIsAsWideOnTheShoulderAsOnTheBelly) {
     EXPECT_LT(static_cast<float>(rows) * sample_wall().height_mm / kRows, 3.9F);
 }
 
-TEST(Canvas, NothingIsDrawnNearFootAndRim) {
+TEST(Canvas, FootAndRimStayBlank) {
     std::mt19937 random(3);
     Canvas canvas(sample_wall());
     for (int i = 0; i < 100; ++i)
@@ -186,7 +186,7 @@ TEST(Canvas, AMotifAllRoundStandsAsOftenAsItSaysAndIsUpright) {
     EXPECT_GT(alike, painted * 9 / 10);
 }
 
-TEST(Canvas, SaysWhatOfTheTextureHasChanged) {
+TEST(Canvas, ReportsTheChangedPartOfTheTexture) {
     Canvas canvas(sample_wall());
     EXPECT_EQ(canvas.take_changed().row_count, kRows);
     EXPECT_TRUE(canvas.take_changed().empty());

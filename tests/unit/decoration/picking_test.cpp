@@ -10,7 +10,7 @@
 namespace onggi::decoration {
 namespace {
 
-TEST(Picking, FindsAgainWhatTheEyeSees) {
+TEST(Picking, FindsThePlaceUnderThePixel) {
     const Wall wall = sample_wall();
     const dvec3 eye(40.0, 260.0, 700.0);
     for (const double scale : {1.0, 0.93}) {

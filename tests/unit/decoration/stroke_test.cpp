@@ -36,7 +36,7 @@ TEST(Strokes, ReadBackAsTheyWereWritten) {
     EXPECT_EQ(recorded_from(bytes_of({}), "pot.onggi").value(), Recorded());
 }
 
-TEST(Strokes, PointsAreRoundedToWhatIsRecordedAndWrapped) {
+TEST(Strokes, PointsAreRoundedToTheRecordedFormatAndWrapped) {
     EXPECT_EQ(point(1.25, 10.0).turn, 16384);
     EXPECT_EQ(point(-0.25, 10.0).turn, 49152);
     EXPECT_EQ(point(0.9999999, 10.0).turn, 0);

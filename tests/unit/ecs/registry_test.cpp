@@ -45,7 +45,7 @@ TEST_F(RegistryTest, DoesNotMistakeANewEntityForADestroyedOne) {
     EXPECT_EQ(registry.find<Radius>(old_pot), nullptr);
 }
 
-TEST_F(RegistryTest, DestroyingTwiceHarmsNobody) {
+TEST_F(RegistryTest, DestroyingTwiceHasNoEffect) {
     const Entity first = registry.create();
     registry.destroy(first);
     registry.destroy(first);

@@ -33,7 +33,7 @@ std::string refusal(double height_mm, const std::vector<float>& radii_mm) {
     return test::refusal(encode_pot(pot_file(rings_of(height_mm, radii_mm)), ExportKind::kGlb));
 }
 
-TEST(ExportPot, RejectsWhatIsNoPot) {
+TEST(ExportPot, RejectsAnInvalidPot) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(refusal(200.0, {60.0F, 60.0F}), "accepted");
     EXPECT_EQ(refusal(200.0, {}), "pot: expected 1 to 200000 rings of clay, found 0");

@@ -17,7 +17,7 @@ TEST(AppendLine, BeginsAFileWithItsFirstLineAndGoesOn) {
     EXPECT_EQ(test::content_of(folder / "table"), "day,hour\n1,2\n3,4\n");
 }
 
-TEST(AppendLine, LeavesHalfALineOnALineOfItsOwn) {
+TEST(AppendLine, EndsAnIncompleteLineFirst) {
     const test::TemporaryFolder folder;
     test::put_file(folder / "table", "day,hour\n1,2\n3");
     ASSERT_TRUE(append_line(folder / "table", kNames, "5,6"));
@@ -33,7 +33,7 @@ TEST(AppendLine, ReplacesAPartialFirstLine) {
     }
 }
 
-TEST(AppendLine, RefusesWhatIsNoFileInOneLine) {
+TEST(AppendLine, RefusesOtherThanAFileInOneLine) {
     const test::TemporaryFolder folder;
     const auto done = append_line(folder.path(), kNames, "1,2");
     ASSERT_FALSE(done);

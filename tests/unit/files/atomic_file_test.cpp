@@ -48,7 +48,7 @@ TEST_F(AtomicFileTest, LeavesTheOldFileUntilCommit) {
     EXPECT_EQ(folder_.names(), Names{"out"});
 }
 
-TEST_F(AtomicFileTest, LeavesNothingWhenItIsDestroyedOrDiscarded) {
+TEST_F(AtomicFileTest, LeavesNoFileWhenItIsDestroyedOrDiscarded) {
     for (const Beside beside : {Beside::kNameless, Beside::kNamed}) {
         {
             auto file = AtomicFile::create(folder_ / "out", beside);
@@ -116,7 +116,7 @@ TEST_F(AtomicFileTest, WritesTheFileBehindALink) {
     EXPECT_EQ(content_of(folder_ / "real"), "new");
 }
 
-TEST_F(AtomicFileTest, CanTakeTheLongestNameThereIs) {
+TEST_F(AtomicFileTest, AcceptsTheLongestPossibleName) {
     const std::string name(255, 'n');
     ASSERT_TRUE(write_file_atomically(folder_ / name, "x"));
     EXPECT_EQ(folder_.names(), Names{name});
@@ -176,14 +176,14 @@ std::string write_to_full_disk(const TemporaryFolder& folder, Beside beside) {
     return answer + " " + content_of(folder / "out");
 }
 
-TEST_F(AtomicFileTest, OnAFullDiskKeepsTheOldFileAndLeavesNothing) {
+TEST_F(AtomicFileTest, OnAFullDiskKeepsTheOldFileAndLeavesNoPart) {
     for (const Beside beside : {Beside::kNameless, Beside::kNamed}) {
         EXPECT_EQ(test::in_child([&] { return write_to_full_disk(folder_, beside); }),
                   "lacks: " + (folder_ / "out").string() + " out old");
     }
 }
 
-TEST_F(AtomicFileTest, BeyondTheLimitOfFileSizesKeepsTheOldFileAndLeavesNothing) {
+TEST_F(AtomicFileTest, BeyondTheFileSizeLimitKeepsTheOldFileAndLeavesNoPart) {
     put_file(folder_ / "out", "old");
     EXPECT_EQ(test::in_child([&] {
                   test::limit_file_size(1000);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(AtomicFolder, IsThereWholeOrNotAtAll) {
+TEST(AtomicFolder, IsCompleteOrAbsent) {
     const test::TemporaryFolder folder;
     {
         auto dropped = AtomicFolder::create(folder / "pot");
@@ -34,7 +34,7 @@ TEST(AtomicFolder, IsThereWholeOrNotAtAll) {
     EXPECT_FALSE(AtomicFolder::create(folder / "pot")) << "it is taken";
 }
 
-TEST(AtomicFolder, IsTakenAwayWithAllThatIsInItAndWithWhatAKilledProgramLeft) {
+TEST(AtomicFolder, IsRemovedWithItsContentsAndAKilledProgramsParts) {
     const test::TemporaryFolder folder;
     fs::create_directories(folder / "pot/inner");
     test::put_file(folder / "pot/inner/file", "pot");
@@ -97,7 +97,7 @@ TEST(AtomicFolder, IsKeptOnAFileSystemThatSyncsNoFolder) {
         << kept_with(EIO);
 }
 
-TEST(AtomicFolder, LeavesNoPartsWhereTheyAreLookedForAndTouchesNothingElse) {
+TEST(AtomicFolder, RemovesOnlyParts) {
     const test::TemporaryFolder folder;
     for (const char* place : {"day.part/pot", "day/pot.part/inner", "day/pot/inner.part"})
         fs::create_directories(folder / place);

@@ -72,7 +72,7 @@ TEST_F(OutputPlaceTest, RejectsDevicesAndPipesAndLeavesThemBe) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST_F(OutputPlaceTest, RejectsALinkToNothing) {
+TEST_F(OutputPlaceTest, RejectsADanglingLink) {
     std::filesystem::create_symlink(folder_ / "none", folder_ / "link");
     expect_no_place(folder_ / "link", ErrorKind::kBadInput, "is a link to a file that is not there");
 }

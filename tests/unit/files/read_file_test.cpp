@@ -38,7 +38,7 @@ TEST_F(ReadFile, GivesEveryByte) {
     EXPECT_EQ(*bytes, content);
 }
 
-TEST_F(ReadFile, GivesNothingOfAnEmptyFile) {
+TEST_F(ReadFile, ReturnsNoBytesForAnEmptyFile) {
     put_file(folder_ / "empty", "");
     const auto bytes = read_file(folder_ / "empty", kMegabyte);
     ASSERT_TRUE(bytes);
@@ -92,13 +92,13 @@ TEST_F(ReadFile, SaysThatPermissionIsDenied) {
     expect_refused(folder_ / "secret", ErrorKind::kSystemLacks, "Permission denied");
 }
 
-TEST_F(ReadFile, KeepsItsMessageToOneLineWhateverTheName) {
+TEST_F(ReadFile, HasAMessageOfOneLineForAnyName) {
     const auto bytes = read_file(folder_ / "two\nlines", kMegabyte);
     ASSERT_FALSE(bytes);
     EXPECT_EQ(bytes.error().message, (folder_ / "two\\x0alines").string() + ": no such file");
 }
 
-TEST(ReadFileStart, GivesTheFirstBytesOfWhateverLength) {
+TEST(ReadFileStart, ReturnsTheFirstBytesOfAnyLength) {
     const TemporaryFolder folder;
     put_file(folder / "ten", "0123456789");
     EXPECT_EQ(*read_file_start(folder / "ten", 4), "0123");

@@ -19,7 +19,7 @@ Bytes bytes_of(std::size_t count, int seed) {
     return bytes;
 }
 
-TEST(SpillFile, GivesBackWhatWasPut) {
+TEST(SpillFile, ReturnsTheStoredBytes) {
     const test::TemporaryFolder folder;
     SpillFile aside(folder / "deep/er");
     EXPECT_EQ(folder.names(), Names{}) << "nothing is touched before it is needed";
@@ -51,7 +51,7 @@ TEST(SpillFile, ReusesTheSpaceOfADroppedPiece) {
     EXPECT_EQ(aside.get(aside.put(bytes_of(10, 4))).value(), bytes_of(10, 4));
 }
 
-TEST(SpillFile, StaysInMemoryWhereTheDiskTakesNone) {
+TEST(SpillFile, StaysInMemoryIfTheDiskFails) {
     const test::TemporaryFolder folder;
     test::put_file(folder / "file", "no folder");
     for (const std::filesystem::path& place : {std::filesystem::path(), folder / "file"}) {
@@ -63,7 +63,7 @@ TEST(SpillFile, StaysInMemoryWhereTheDiskTakesNone) {
     }
 }
 
-TEST(SpillFile, KeepsWhatAFullDiskDoesNotTake) {
+TEST(SpillFile, KeepsBytesInMemoryOnAFullDisk) {
     const test::TemporaryFolder folder;
     EXPECT_EQ(test::in_child([&]() -> std::string {
                   test::limit_file_size(8000);

@@ -46,7 +46,7 @@ std::vector<Glaze> hiding(const Strokes& strokes) {
 
 using Glazes = std::vector<Glaze>;
 
-TEST(DrawnWith, NoGlazeHidesWhatWasNotDrawn) {
+TEST(DrawnWith, NoGlazeHidesAPlainPot) {
     EXPECT_TRUE(drawn({}).nothing());
     EXPECT_EQ(hiding({}), Glazes{});
     EXPECT_EQ(hiding({band(Technique::kIron, 60.0), {.technique = Technique::kClear}}), Glazes{});
@@ -60,12 +60,12 @@ TEST(DrawnWith, WhiteVanishesOnWhiteAndEverythingUnderIron) {
     EXPECT_EQ(hiding({band(Technique::kInlay, 60.0, Slip::kBlack)}), Glazes{Glaze::kIron});
 }
 
-TEST(DrawnWith, WhatFingersLeftIsAlwaysSeen) {
+TEST(DrawnWith, FingerWipesAreAlwaysVisible) {
     EXPECT_GT(drawn({band(Technique::kFinger, 60.0)}).wiped, 0U);
     EXPECT_EQ(hiding({band(Technique::kFinger, 60.0)}), Glazes{});
 }
 
-TEST(DrawnWith, WhatIsSeenBesideWhatIsNotCounts) {
+TEST(DrawnWith, VisiblePartsCountBesideHiddenOnes) {
     EXPECT_EQ(hiding({band(Technique::kInlay, 40.0), band(Technique::kIron, 80.0)}), Glazes{Glaze::kIron});
 }
 

@@ -133,7 +133,7 @@ TEST_F(InverseDeviceTest, RejectsAServiceThatSpeaksNonsenseWithOneLineAndTriesAg
     EXPECT_TRUE(comes_true(device, [&] { return device.is_here(); })) << "the service has come to its senses";
 }
 
-TEST_F(InverseDeviceTest, IsSimplyAbsentWhereThereIsNoService) {
+TEST_F(InverseDeviceTest, IsAbsentWithoutAService) {
     const test::HeldPort port;
     InverseDevice device({.port = port.number()});
     ASSERT_TRUE(device.open());

@@ -35,7 +35,7 @@ TEST(InverseMessages, FindNoDeviceBeforeOneIsPluggedIn) {
     ASSERT_TRUE(inverse_state("{}"));
 }
 
-TEST(InverseMessages, RejectsWhatIsNoJson) {
+TEST(InverseMessages, RejectsInvalidJson) {
     EXPECT_EQ(refusal(""), "byte 0: expected JSON, found the end");
     EXPECT_EQ(refusal("{\"a\":1"), "byte 6: expected JSON, found the end");
     EXPECT_EQ(refusal("[1,]"), "byte 3: expected JSON, found byte 0x5d");
@@ -47,7 +47,7 @@ TEST(InverseMessages, RejectsWhatIsNoJson) {
     EXPECT_EQ(refusal("\"\\"), "byte 2: expected JSON, found the end");
 }
 
-TEST(InverseMessages, RejectsWhatIsTooMuch) {
+TEST(InverseMessages, RejectsTooLargeMessages) {
     const auto nested = [](std::size_t deep) { return std::string(deep, '[') + std::string(deep, ']'); };
     EXPECT_EQ(refusal(nested(kMaxJsonDepth)), "taken");
     EXPECT_EQ(refusal(nested(kMaxJsonDepth + 1)), "expected values at most 32 deep, found one deeper");
@@ -67,7 +67,7 @@ TEST(InverseMessages, RejectsAnInvalidDevice) {
         "inverse3.0.state.cursor_position: expected a place within 1 m, found 7 m");
 }
 
-TEST(InverseMessages, SayForcesInBothDialectsAndWhoSpeaksFirst) {
+TEST(InverseMessages, StateForcesInBothFormsAndNameTheProgramInTheFirst) {
     EXPECT_EQ(force_message("049D", {0.5, 0.0, -1.25}, "vector", false),
               R"({"inverse3":[{"device_id":"049D","commands":{"set_cursor_force":{"vector":)"
               R"({"x":0.5000,"y":0.0000,"z":-1.2500}}}}]})");

@@ -25,7 +25,7 @@ TEST(FindService, FindsOneThatListens) {
     EXPECT_TRUE(found) << found.error().message;
 }
 
-TEST(FindService, SaysThatNothingListens) {
+TEST(FindService, ReportsThatNothingListens) {
     const test::HeldPort port;
     const auto found = find_service({.port = port.number()});
     ASSERT_FALSE(found);
@@ -59,7 +59,7 @@ TEST(FindService, TimesOutWithoutAnAnswer) {
     ::close(listening);
 }
 
-TEST(FindService, RejectsWhatIsNoAddress) {
+TEST(FindService, RejectsAnInvalidAddress) {
     const auto found = find_service({.host = "not here"});
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().message, "not here:10001: expected an IPv4 address");

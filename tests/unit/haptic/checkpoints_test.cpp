@@ -40,7 +40,7 @@ void expect_all(const Checkpoints& kept, const std::map<std::uint64_t, Bytes>& p
     }
 }
 
-TEST(Checkpoints, GiveBackWhatWasPutInToTheBit) {
+TEST(Checkpoints, ReturnTheirStatesToTheBit) {
     Growing growing;
     Checkpoints kept(std::size_t{1} << 30U);
     std::map<std::uint64_t, Bytes> put;

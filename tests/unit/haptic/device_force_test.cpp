@@ -60,7 +60,7 @@ TEST(DeviceForce, IsCappedAsAWholeFirst) {
     EXPECT_NEAR(force.wanted_n.z, -0.4, 1e-12);
 }
 
-TEST(DeviceForce, OfSoftClayIsLeftAsItIs) {
+TEST(DeviceForce, OfSoftClayIsUnchanged) {
     const DeviceFeel feel{.most_stiffness_n_per_mm = 5.0, .most_wire_stiffness_n_per_mm = 4.0};
     EXPECT_EQ(told(feel, false).wanted_n, told({}, false).wanted_n);
 }
@@ -80,7 +80,7 @@ TEST(FitToDevice, BindsTheWireAndLeavesTheWallItsOwnStiffness) {
     EXPECT_EQ(parameters.feel.most_wire_stiffness_n_per_mm, 0.0);
 }
 
-TEST(FitToDevice, RefusesADeviceThatBearsNothingAtAll) {
+TEST(FitToDevice, RefusesADeviceWithoutAStableStiffness) {
     haptics::DeviceCapabilities far = walled();
     far.wire_rate_hz = 20.0;
     far.wire_delay_s = 0.5;
@@ -92,7 +92,7 @@ TEST(FitToDevice, RefusesADeviceThatBearsNothingAtAll) {
               "walled: expected a device on which some clay is stable, found none at 20 Hz");
 }
 
-TEST(FitToDevice, JudgesWhatDoesNotSayItsWeightAsLight) {
+TEST(FitToDevice, AssumesALightDeviceIfItsMassIsUnknown) {
     haptics::DeviceCapabilities unknown{
         .name = "unknown", .force_axes = 3, .peak_force_n = 3.3, .continuous_force_n = 0.88};
     HapticParameters parameters;

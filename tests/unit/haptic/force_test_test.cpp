@@ -73,7 +73,7 @@ struct Bench {
     std::unique_ptr<HapticWork> work;
 };
 
-TEST(ForceTest, AsksForNoMoreThanItSaysAndForNothingOutsideItsTime) {
+TEST(ForceTest, RequestsAtMostItsStatedForceAndOnlyDuringItsTime) {
     double largest_n = 0.0;
     dvec3 last_n(0.0);
     for (int k = -100; k < 2000; ++k) {
@@ -92,7 +92,7 @@ TEST(ForceTest, AsksForNoMoreThanItSaysAndForNothingOutsideItsTime) {
     EXPECT_EQ(size_of(test_force_n(std::nan(""))), 0.0);
 }
 
-TEST(ForceTest, PushesEachWayInTurnAndSaysWhatTheHandDid) {
+TEST(ForceTest, PushesAlongEachAxisAndReportsTheHandsResponse) {
     Bench bench;
     bench.run(2000);
     bench.tests_the_force();
@@ -118,7 +118,7 @@ TEST(ForceTest, WaitsForTheRampAfterAnAbsentHandAndLeavesItAbsent) {
     EXPECT_EQ(bench.work->newest_snapshot().safety.presence, 0.0) << "the wheel is left alone again";
 }
 
-TEST(ForceTest, NeverPassesWhatTheDeviceBears) {
+TEST(ForceTest, NeverExceedsTheDevicesLimit) {
     constexpr double kWeakN = 0.25;
     Bench bench(kWeakN);
     bench.run(2000);

@@ -270,8 +270,8 @@ TEST_F(HistoryTest, IsTheSameWhenItsToolsArePlayedBack) {
 
 #ifdef NDEBUG
 // Five minutes at the kiosk's rate, with a pot of a tenth of the rings and so a tenth of the room for
-// checkpoints. What a visitor waits for is the ticks that are worked out again: with all the rings some 6 us
-// each, and 25 us where every row is dented, so 3000 of them take 20 to 80 ms.
+// checkpoints. A visitor waits for the replayed ticks: with all the rings some 6 us each, and 25 us if every
+// row is dented, so 3000 of them take 20 to 80 ms.
 class FiveMinutes : public testing::Test {
   protected:
     static constexpr double kKioskRateHz = 4000.0;

@@ -54,7 +54,7 @@ InputLog log_of(std::size_t count, const std::filesystem::path& folder = {}) {
     return log;
 }
 
-TEST(InputLog, GivesBackWhatWasPutInToTheBit) {
+TEST(InputLog, ReturnsItsInputsToTheBit) {
     const InputLog log = log_of(5 * kBlock + 17);
     ASSERT_EQ(log.size(), 5 * kBlock + 17);
     for (const std::size_t first : {std::size_t{0}, kBlock - 1, kBlock, 3 * kBlock + 5, 5 * kBlock + 1})
@@ -93,7 +93,7 @@ TEST(InputLog, TakesNoMemoryWhereTheDiskTakesIt) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "made")) << "it has no name";
 }
 
-TEST(InputLog, StaysInMemoryWhereTheDiskTakesNone) {
+TEST(InputLog, StaysInMemoryIfTheDiskFails) {
     const test::TemporaryFolder folder;
     std::ofstream(folder.path() / "file") << "no folder";
     InputLog log = log_of(5 * kBlock, folder.path() / "file");
@@ -102,7 +102,7 @@ TEST(InputLog, StaysInMemoryWhereTheDiskTakesNone) {
     expect_all(log, 0);
 }
 
-TEST(InputLog, TakesNextToNothingWhileTheHandRests) {
+TEST(InputLog, TakesHardlyAnyMemoryWhileTheHandRests) {
     InputLog log;
     const LoggedInput resting = input_at(4000);
     for (std::size_t tick = 0; tick < 100 * kBlock; ++tick)

@@ -136,7 +136,7 @@ TEST(HapticWork, CountsUnreadRecords) {
     EXPECT_EQ(records.back().tick, 63U);
 }
 
-TEST(HapticWork, PublishesWhatAPictureNeeds) {
+TEST(HapticWork, PublishesTheDataOfAPicture) {
     JobBench bench;
     EXPECT_EQ(bench.work.newest_snapshot().tick, 0U);
     EXPECT_EQ(bench.work.newest_snapshot().pot->outer_mm.size(), 2000U);

@@ -38,7 +38,7 @@ TEST(SimulatedDevice, SettlesAtItsTargetAtEveryRateWithoutOvershoot) {
     }
 }
 
-TEST(SimulatedDevice, IsThereWithinATenthOfASecond) {
+TEST(SimulatedDevice, ReachesItsTargetWithinATenthOfASecond) {
     SimulatedDevice device;
     start_at_rest(device);
     device.set_target({.position_mm = {60.0, 100.0, 0.0}});
@@ -178,7 +178,7 @@ TEST(SimulatedDevice, CutsOnceThoughItsTargetWasReplacedBeforeARead) {
     }
 }
 
-TEST(SimulatedDevice, ForgetsACutThatNobodyReadBeforeItRested) {
+TEST(SimulatedDevice, ForgetsAnUnreadCutAtRest) {
     SimulatedDevice device;
     start_at_rest(device);
     device.set_target({.position_mm = {90.0, 100.0, 0.0}, .wire = tool::Wire::kCutRim});

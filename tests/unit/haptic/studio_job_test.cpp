@@ -113,7 +113,7 @@ TEST(StudioLoop, HandsTheWholePotOverTwiceAFrame) {
     EXPECT_GT(loop.work.state().studio()->splits(), 10U) << "rings came meanwhile";
 }
 
-TEST(StudioLoop, SaysWhereBothHandsAreAndWhatTheClayCarries) {
+TEST(StudioLoop, ReportsBothHandsAndTheClaysLoad) {
     StudioLoop loop;
     loop.run(3000);
     const Snapshot& snapshot = loop.work.newest_snapshot();

@@ -56,7 +56,7 @@ TEST_F(HapticTick, TurnsTheWheelExactlyWhileTheButtonIsHeld) {
     EXPECT_EQ(state.wheel.heading().sine, sine);
 }
 
-TEST_F(HapticTick, LimitsWhatGoesToTheDeviceButNotWhatIsRecorded) {
+TEST_F(HapticTick, LimitsTheDevicesForceButNotTheRecordedOne) {
     const HapticParameters parameters;
     const ToolState deep{.position_mm = {30.0, 100.013, 0.0}, .radius_mm = 10.0};
     const TickResult first = tick(state, deep, parameters);
@@ -126,7 +126,7 @@ TEST_F(HapticTick, KeepsTheLastGoodToolWhenTheDeviceTalksNonsenseAndLatchesAFaul
     EXPECT_EQ(result.limited_force_n, dvec3(0.0));
 }
 
-TEST_F(HapticTick, TouchesNothingWhenTheVeryFirstToolIsNonsense) {
+TEST_F(HapticTick, HasNoContactIfTheFirstToolIsInvalid) {
     const std::uint64_t clay_before = HapticState().paper()->state_hash();
     const TickResult result =
         tick(state, {.position_mm = dvec3(kNan), .wheel_button = true}, HapticParameters{});

@@ -20,7 +20,7 @@ TEST(GesturePlayer, ReadsTickKAtExactlyKOverTheRate) {
     EXPECT_EQ(player.capabilities().force_axes, 0);
 }
 
-TEST(SessionPlayer, ReadsWhatWasRecorded) {
+TEST(SessionPlayer, PlaysTheRecordedTools) {
     auto session = record::parse_session(record::session_bytes(1500), "s.onggi");
     ASSERT_TRUE(session);
     SessionPlayer player(std::move(session).value());

@@ -112,7 +112,7 @@ TEST_F(DeviceGroupTest, TheFirstHasTheToolUntilAnotherMoves) {
     EXPECT_EQ(after(5.0).position_mm, stick_.sample.position_mm) << "held still, it is still held";
 }
 
-TEST_F(DeviceGroupTest, NobodyTearsTheToolOutOfAHandAtWork) {
+TEST_F(DeviceGroupTest, AWorkingHandKeepsTheTool) {
     stick_.is_moving = true;
     after(1.0);
     mouse_.is_moving = true;
@@ -125,7 +125,7 @@ TEST_F(DeviceGroupTest, NobodyTearsTheToolOutOfAHandAtWork) {
     EXPECT_EQ(group_->holder(), 0U);
 }
 
-TEST_F(DeviceGroupTest, WhoeverMovesTakesTheToolOfOneThatIsGone) {
+TEST_F(DeviceGroupTest, AMovingDeviceTakesTheToolOfAnAbsentOne) {
     stick_.is_moving = true;
     after(1.0);
     stick_.is_here = false;
@@ -173,7 +173,7 @@ TEST_F(DeviceGroupTest, OneThatSaysNonsenseLosesTheToolAndGetsItBackBySense) {
     }
 }
 
-TEST_F(DeviceGroupTest, AHandThatIsNotHereGetsNothingHoweverItMoves) {
+TEST_F(DeviceGroupTest, AnAbsentDeviceNeverGetsTheTool) {
     pad_.is_moving = true;
     after(2.0);
     EXPECT_EQ(group_->holder(), 0U);
@@ -243,7 +243,7 @@ TEST_F(DeviceGroupTest, OnlyTheHandWithTheToolFeelsTheClay) {
     EXPECT_EQ(stick_.felt.wall_mm, 0.0);
 }
 
-TEST_F(DeviceGroupTest, AfterAChangeTheForceStartsFromNothingOnceItIsSmall) {
+TEST_F(DeviceGroupTest, AfterAChangeTheForceRampsUpFromZeroOnceItIsSmall) {
     const dvec3 push(2.0, 0.0, 0.0);
     stick_.is_moving = true;
     after(1.0, push);
@@ -258,7 +258,7 @@ TEST_F(DeviceGroupTest, AfterAChangeTheForceStartsFromNothingOnceItIsSmall) {
     EXPECT_EQ(stick_.force_n, push);
 }
 
-TEST_F(DeviceGroupTest, TheObserverCountsTheWorkOfWhatReallyWentOut) {
+TEST_F(DeviceGroupTest, TheObserverCountsTheWorkOfTheAppliedForce) {
     // A device takes the tool over and feels a force while it moves: its own ramp multiplies the chain's.
     const SafetyLimits limits = limits_for(stick_.can);
     SafetyState safety;
@@ -312,7 +312,7 @@ TEST_F(DeviceGroupTest, AreNoStifferThanTheSoftestThatClosesALoop) {
     EXPECT_EQ(make({})->capabilities().max_stiffness_n_per_mm, 0.5);
 }
 
-TEST_F(DeviceGroupTest, NobodyIsThereWhenTheHandWithTheToolIsGone) {
+TEST_F(DeviceGroupTest, NoHandIsPresentWhileTheHolderIsAbsent) {
     stick_.is_moving = true;
     after(1.0);
     EXPECT_TRUE(group_->signs().hand_is_there);
@@ -322,7 +322,7 @@ TEST_F(DeviceGroupTest, NobodyIsThereWhenTheHandWithTheToolIsGone) {
     EXPECT_FALSE(group_->signs().position_is_new);
 }
 
-TEST_F(DeviceGroupTest, WhoTurnsTheWheelSaysHowFast) {
+TEST_F(DeviceGroupTest, TheDeviceThatTurnsTheWheelSetsItsSpeed) {
     mouse_.sample.rev_min = 90.0;
     stick_.sample.rev_min = 150.0;
     stick_.is_moving = true;
@@ -344,7 +344,7 @@ TEST_F(DeviceGroupTest, OpensAndClosesAllAndFailsWithTheFirstAlone) {
     EXPECT_FALSE(group_->open());
 }
 
-TEST_F(DeviceGroupTest, APedalTurnsTheWheelWhoeverHasTheTool) {
+TEST_F(DeviceGroupTest, APedalTurnsTheWheelWithAnyHolder) {
     group_->add_pedal(std::make_unique<PuppetDevice>(pedal_));
     EXPECT_FALSE(after(kStep).button);
     pedal_.sample.button = true;

@@ -68,7 +68,7 @@ TEST(SafetyChain, IsItsStagesOneAfterTheOther) {
     }
 }
 
-TEST(SafetyChain, NeverGivesMoreThanThePeakNorChangesFasterThanAllowedWhateverComesIn) {
+TEST(SafetyChain, NeverExceedsThePeakOrTheSlewRateForAnyInput) {
     for (const double rate_hz : {100.0, 1000.0, 4000.0, 10000.0}) {
         RandomForces forces(2);
         std::mt19937 random(3);
@@ -139,7 +139,7 @@ TEST(SafetyGate, LetsAForceThroughUntouchedWhenAllIsWell) {
     EXPECT_EQ(state.fault, Fault::kNone);
 }
 
-TEST(SafetyGate, LatchesAFaultOnWhatIsNotFiniteOrOutside) {
+TEST(SafetyGate, LatchesAFaultOnAnInputThatIsNotFiniteOrOutside) {
     struct Case {
         dvec3 force_n, position_mm;
         Fault fault;

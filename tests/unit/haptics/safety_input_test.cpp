@@ -1,5 +1,5 @@
-// The chain and the motors' stages under any input at all: what is not sound moves no hand and stays nowhere
-// in the state.
+// The chain and the motors' stages under any input: unsound input gives no force and leaves no trace in the
+// state.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -122,7 +122,7 @@ TEST(SafetyInputs, OfAnyKindLeaveTheForceBoundedAndTheStateSound) {
             const dvec3 wanted = any.one_in(30)   ? any.next_vector(10.0)
                                  : any.one_in(12) ? dvec3(0.0)
                                                   : dvec3(2.0, 1.0, 0.0);
-            // Nobody rearms in a tick: most faults are seen to last.
+            // Rearming is rare, so that most faults last for several ticks.
             if (any.one_in(12)) rearm(state);
             if (any.one_in(5)) {
                 state.ramp = 1.0;
@@ -158,7 +158,7 @@ TEST(SafetyInputs, OfAnyKindLeaveAHandsMotorsBounded) {
             const dvec3 after = apply_stages(kMotorStages, wanted, any.input(), kMotors, state);
             ASSERT_TRUE(is_sane(state, kMotors)) << "seed " << seed << ", tick " << tick;
             ASSERT_EQ(after, state.applied_force_n);
-            ASSERT_EQ(state.fault, Fault::kNone) << "nobody rearms a hand's motors";
+            ASSERT_EQ(state.fault, Fault::kNone) << "a hand's motors have no rearm()";
             pushes += length(after) > 0.5 ? 1 : 0;
         }
         EXPECT_GT(pushes, 1000);
@@ -187,7 +187,7 @@ std::vector<SafetyInput> unsound_inputs() {
     return all;
 }
 
-TEST(SafetyInputs, ThatAreNotSoundLatchAFaultAndLeaveNothingBehind) {
+TEST(SafetyInputs, ThatAreUnsoundLatchAFaultAndLeaveNoTrace) {
     const std::vector<SafetyInput> all = unsound_inputs();
     for (std::size_t k = 0; k < all.size(); ++k) {
         SafetyState state = engaged();
@@ -200,7 +200,7 @@ TEST(SafetyInputs, ThatAreNotSoundLatchAFaultAndLeaveNothingBehind) {
         EXPECT_EQ(state.applied_driven_n, dvec3(0.0)) << k;
         EXPECT_EQ(state.heat_n2, 0.1) << k;
         EXPECT_TRUE(is_sane(state, {})) << k;
-        // What is wrong with the driven part, or a tool that is nowhere, says more.
+        // An invalid position is reported before unsound input.
         state = engaged();
         SafetyInput nowhere = all[k];
         nowhere.position_mm.y = kNan;
@@ -254,7 +254,7 @@ TEST(SafetyInputs, ThatAreNotFiniteLatchAFaultWhicheverNumberItIs) {
     }
 }
 
-TEST(SafetyInputs, SayInWordsWhatWasWrong) {
+TEST(SafetyInputs, HaveAFaultInWords) {
     std::vector<std::string_view> all;
     for (int fault = 0; fault <= static_cast<int>(Fault::kEnergyGenerated); ++fault) {
         const std::string_view words = words_for(static_cast<Fault>(fault));

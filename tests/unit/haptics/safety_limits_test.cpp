@@ -45,7 +45,7 @@ TEST(SafetyNumbers, ATickLastsATenthOfASecondAtMost) {
     EXPECT_EQ(fault_of(still(below(0.0))), Fault::kInputNotSound);
 }
 
-TEST(SafetyNumbers, ADeviceAppliesBetweenNothingAndAllOfAForce) {
+TEST(SafetyNumbers, ADeviceAppliesAFractionOfZeroToOne) {
     SafetyInput input = still();
     for (const double sound : {0.0, 0.5, 1.0}) {
         input.applied_fraction = sound;
@@ -179,7 +179,7 @@ TEST(SafetyEnergy, LatchesAFaultAboveAQuarterOfAJouleInASecond) {
     state = engaged();
     give_mj(state, above(250.0));
     EXPECT_EQ(state.fault, Fault::kEnergyGenerated);
-    EXPECT_EQ(state.generated_mj, 0.0) << "whoever rearms begins anew";
+    EXPECT_EQ(state.generated_mj, 0.0) << "rearming restarts the balance";
     EXPECT_EQ(apply_safety_chain(kPush, still(), {}, state), dvec3(0.0));
     rearm(state);
     apply_safety_chain(dvec3(0.0), still(), {}, state);
@@ -193,7 +193,7 @@ TEST(SafetyEnergy, ForgetsATenthInATenthOfASecond) {
     EXPECT_NEAR(state.generated_mj, 90.0, 1e-12);
 }
 
-TEST(SafetyEnergy, CountsWhatTheWallTookAndNeverSavesIt) {
+TEST(SafetyEnergy, CreditsTakenEnergyButNeverSavesItUp) {
     SafetyState state = engaged();
     give_mj(state, 100.0);
     give_mj(state, -60.0);
@@ -202,7 +202,7 @@ TEST(SafetyEnergy, CountsWhatTheWallTookAndNeverSavesIt) {
     EXPECT_EQ(state.generated_mj, 0.0);
 }
 
-TEST(SafetyEnergy, CountsNothingThatTheWheelDrives) {
+TEST(SafetyEnergy, IgnoresTheWorkThatTheWheelDrives) {
     SafetyState state = engaged();
     passivity(dvec3(0.0), {.dt_s = kMillisecond}, {}, state);
     state.applied_force_n = state.applied_driven_n = kPush;
@@ -233,7 +233,7 @@ TEST(SafetyNumbers, APositionIsStaleAtTheSecondTickAndAfterTwoPeriodsOfTheDevice
     SafetyState state = engaged();
     EXPECT_EQ(hand(kPush, old, {}, state), kPush);
     EXPECT_LT(hand(kPush, old, {}, state).x, 1.0);
-    // Of a device that reports every 4 ms, at its ninth ms.
+    // A device that reports every 4 ms is stale at its ninth ms.
     const SafetyLimits slow = limits_for({.name = "usb", .force_axes = 2, .report_rate_hz = 250.0});
     SafetyState usb = engaged();
     for (int ms = 1; ms <= 8; ++ms)
@@ -276,7 +276,7 @@ TEST(SafetyNumbers, TheKioskGivesItsProfileAndADeviceWithoutMotorsThePeakForEver
     EXPECT_EQ(limits_for({.name = "every read", .force_axes = 1}).device_period_s, 0.0);
 }
 
-// What the budget leaves of 3.3 N where this fraction of the full mean is spent.
+// The bound that the budget sets at this fraction of the full mean.
 double left_of_the_peak(double fraction) {
     SafetyState state = engaged();
     state.heat_n2 = fraction * 0.88 * 0.88;
@@ -310,7 +310,7 @@ TEST(SafetyNumbers, AForceGrowsByTwoHundredAndGoesByTwoThousandNewtonsASecond) {
     EXPECT_EQ(slew(dvec3(0.0), still(), {}, state), dvec3(0.0));
 }
 
-TEST(SafetyNumbers, ThePeakIsWhatTheClampGives) {
+TEST(SafetyNumbers, ThePeakIsTheClampsBound) {
     SafetyState state = engaged();
     EXPECT_EQ(clamp({0.0, 3.3, 0.0}, still(), {}, state).y, 3.3);
     EXPECT_EQ(clamp({0.0, above(3.3), 0.0}, still(), {}, state).y, 3.3);

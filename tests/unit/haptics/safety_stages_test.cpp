@@ -159,7 +159,7 @@ double balance_after_a_drag(const SafetyLimits& limits, SafetyState& state, doub
     return state.energy_mj;
 }
 
-TEST(SafetyPassivity, PutsToTheWheelsCreditWhatWentOutOfItsDragAndNoMore) {
+TEST(SafetyPassivity, CreditsTheWheelWithTheAppliedPartOfItsDrag) {
     // The same drag after each stage that reduces it: the wheel is credited with the remaining drag only.
     SafetyState clamped = engaged();
     EXPECT_NEAR(balance_after_a_drag({}, clamped, 1.0, 1.0), -5.0, 1e-9);
@@ -178,7 +178,7 @@ TEST(SafetyPassivity, PutsToTheWheelsCreditWhatWentOutOfItsDragAndNoMore) {
     EXPECT_NEAR(held_back.given_mj, 0.25 * clamped.given_mj, 1e-9);
 }
 
-TEST(SafetyPassivity, KnowsTheMotorsPartOfWhateverGoesOut) {
+TEST(SafetyPassivity, TracksTheMotorsPartOfEveryForce) {
     // A third of every force is the motor's: then it is a third of what goes out, through every stage, while
     // the force jumps, turns, ramps and is late; brake and damping belong to the chain, not to the motor.
     std::mt19937 random(5);
@@ -209,7 +209,7 @@ TEST(SafetyPassivity, KnowsTheMotorsPartOfWhateverGoesOut) {
     EXPECT_EQ(braked.driven_force_n, dvec3(0.0));
 }
 
-TEST(SafetyPassivity, DampsNothingInTheAirAndForgetsWhatWasThere) {
+TEST(SafetyPassivity, DoesNotDampInTheAirAndForgetsItsBalance) {
     const SafetyLimits limits;
     SafetyState state = engaged();
     state.energy_mj = -5.0;

@@ -42,7 +42,7 @@ StopKey::Find these(std::vector<int> files) {
     };
 }
 
-TEST(StopKey, HearsPauseAndStopAndNothingElse) {
+TEST(StopKey, HearsOnlyPauseAndStop) {
     Keyboard keyboard;
     int presses = 0;
     StopKey key(these({keyboard.ends[0]}), [&] { ++presses; });
@@ -113,7 +113,7 @@ TEST(StopKey, HearsAKeyboardThatIsPluggedInAgain) {
     EXPECT_EQ(presses, 1);
 }
 
-TEST(StopKey, FindsNoneWhereThereIsNoFolder) {
+TEST(StopKey, FindsNoKeyboardWithoutAFolder) {
     EXPECT_TRUE(open_stop_keys({}, "/nowhere/at/all").empty());
 }
 

@@ -29,7 +29,7 @@ TEST(VelocityEstimator, IsExactForAnEvenMotionWithoutSteps) {
     }
 }
 
-TEST(VelocityEstimator, MakesOfAnEncodersStepsAFractionOfWhatTheDifferenceMakes) {
+TEST(VelocityEstimator, HasAFractionOfTheNoiseOfADifferenceQuotient) {
     // Half a step over 15 ms is 3.7 mm/s; the difference of two readings is wrong by up to 220 mm/s at 4 kHz.
     for (const double rate_hz : kEstimatedRates) {
         for (const double v_mm_s : {0.0, 3.0, 20.0, 200.0}) {

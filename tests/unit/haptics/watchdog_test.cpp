@@ -71,7 +71,7 @@ TEST_F(WatchdogTest, WaitsForALoopThatIsSlowByDesign) {
     EXPECT_EQ(device.times, 0);
 }
 
-TEST_F(WatchdogTest, ExpectsNothingBeforeTheFirstBeatAndTheFirstPicture) {
+TEST_F(WatchdogTest, WaitsForTheFirstBeatAndTheFirstPicture) {
     Watchdog watchdog(device, {});
     for (int k = 0; k < 10'000; ++k)
         (void)watchdog.round(k * kMs);
@@ -95,7 +95,7 @@ TEST_F(WatchdogTest, TellsAPictureThatStandsStillFromASlowOne) {
     EXPECT_FALSE(watchdog.picture_stands_still());
 }
 
-TEST_F(WatchdogTest, WorksOnAThreadOfItsOwn) {
+TEST_F(WatchdogTest, WorksOnItsOwnThread) {
     Watchdog watchdog(device, {});
     watchdog.beat();
     jobs::IoThread thread;

@@ -26,7 +26,7 @@ PotForm like(const Target& target, double scale) {
     return form;
 }
 
-TEST(Advice, IsToTryAnotherWhereNothingIsToMend) {
+TEST(Advice, SuggestsAnotherPotIfThisOneIsCloseEnough) {
     const Target jar = moon_jar();
     const Advice advice = advise(like(jar, 0.5), jar, 0.5);
     EXPECT_FALSE(advice.next);

@@ -64,7 +64,7 @@ TEST(Cards, SayWhereTheyAreWrongAndHow) {
     EXPECT_NE(refusal_of_cards(head), "accepted");
 }
 
-TEST(Cards, AreThereForEveryPotThatIsShippedInEveryLanguage) {
+TEST(Cards, ExistForEveryShippedPotInEveryLanguage) {
     const std::string folder = test::in_checkout("assets/heritage");
     const auto targets = load_targets(folder);
     ASSERT_TRUE(targets) << targets.error().message;

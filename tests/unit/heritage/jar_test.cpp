@@ -8,7 +8,7 @@
 namespace onggi::heritage {
 namespace {
 
-TEST(JarOfTwo, IsWhatTheTableSaysWasMadeSo) {
+TEST(JarOfTwo, IsEachPotThatTheTableMarksAsJoined) {
     const auto targets = load_targets(test::in_checkout("assets/heritage"));
     ASSERT_TRUE(targets) << targets.error().message;
     for (const Target& target : *targets)

@@ -41,7 +41,7 @@ TEST(HeritageScore, MeasuresAFiredPotAsAMuseumDoes) {
     EXPECT_NEAR(form.capacity_ml.value(), M_PI * 45.0 * 45.0 * 90.0 * 1e-3 * std::pow(0.88, 3), 0.5);
 }
 
-TEST(HeritageScore, IsTheDifferenceInMillimetresOfWhatIsPublished) {
+TEST(HeritageScore, IsTheDifferenceOfThePublishedMeasuresInMillimetres) {
     const Target kylix = target_of("kylix-ringling");  // 82.5 high, 205, mouth 201, foot 79.7, wall 4
     const Score score =
         heritage::score(form_of(cylinder(100.0, 5.0, 10.0, 90.0)), kylix, clay::ClayBody::kStoneware);
@@ -57,7 +57,7 @@ TEST(HeritageScore, IsTheDifferenceInMillimetresOfWhatIsPublished) {
     EXPECT_NEAR(score.mean_off_mm, (3.3 + 29.0 + 25.0 + 96.3 + 0.4) / 5.0, 1e-3);
 }
 
-TEST(HeritageScore, LeavesOutWhatIsNotPublished) {
+TEST(HeritageScore, IgnoresUnpublishedMeasures) {
     const Target maebyeong = target_of("maebyeong-1869");
     const Score score =
         heritage::score(form_of(cylinder(50.0, 5.0, 10.0, 300.0)), maebyeong, clay::ClayBody::kStoneware);
@@ -127,7 +127,7 @@ TEST(HeritageNearest, FindsATargetByItsOwnShapeAtAnySize) {
     }
 }
 
-TEST(HeritageNearest, TakesALowWideDishForABowlAndATallOneForNone) {
+TEST(HeritageNearest, MatchesALowWideDishWithABowlAndATallPotWithNoBowl) {
     const auto targets = bundled();
     const PotForm dish = form_of(cylinder(90.0, 5.0, 10.0, 60.0));
     const std::string low = targets[nearest(dish, targets).target].id;

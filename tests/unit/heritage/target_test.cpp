@@ -9,7 +9,7 @@
 namespace onggi::heritage {
 namespace {
 
-TEST(HeritageTargets, AreTwentyThreeWithWhatIsPublishedOfEach) {
+TEST(HeritageTargets, AreTwentyThreeWithTheirPublishedMeasures) {
     const auto targets = bundled();
     ASSERT_EQ(targets.size(), 23U);
     const auto jar = find_target(targets, "moon-jar-nmk");
@@ -26,7 +26,7 @@ TEST(HeritageTargets, AreTwentyThreeWithWhatIsPublishedOfEach) {
     EXPECT_FALSE(maebyeong->max_diameter_mm);
 }
 
-TEST(HeritageTargets, HaveOutlinesThatPassThroughWhatIsPublished) {
+TEST(HeritageTargets, HaveOutlinesThroughTheirPublishedMeasures) {
     for (const Target& target : bundled()) {
         SCOPED_TRACE(target.id);
         if (target.foot_mm) {
@@ -48,7 +48,7 @@ TEST(HeritageTargets, HaveOutlinesThatPassThroughWhatIsPublished) {
     }
 }
 
-TEST(HeritageTargets, SayInALineWhatTheyAre) {
+TEST(HeritageTargets, HaveADescriptionInOneLine) {
     const auto targets = bundled();
     for (const Target& target : targets) {
         const std::string line = sentence(target);
@@ -108,7 +108,7 @@ TEST(HeritageTargets, RejectRowsOutOfBounds) {
               "t.csv:2: mouth_mm and foot_mm: expected at most the largest diameter of 80, found 90");
 }
 
-TEST(HeritageTargets, RejectOutlinesThatLeaveWhatIsPublished) {
+TEST(HeritageTargets, RejectOutlinesThatContradictPublishedMeasures) {
     const auto of = [](std::string_view outline) { return refusal_of_rows(kGood, outline); };
     EXPECT_EQ(of("jug,0,20,drawn\n"), "o.csv:2: id: expected a target's, found 'jug'");
     EXPECT_EQ(of("cup,0,20,ours\n"), "o.csv:2: basis: expected published or drawn, found 'ours'");

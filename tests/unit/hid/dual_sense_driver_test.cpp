@@ -187,7 +187,7 @@ TEST_F(DualSenseDriverTest, TurnsTheWheelTheFasterTheFurtherL2IsPulled) {
     EXPECT_EQ(driver.input(0).rev_min, 0.0);
 }
 
-TEST_F(DualSenseDriverTest, SaysNothingTwiceAndNothingTooOften) {
+TEST_F(DualSenseDriverTest, SendsNoReportTwiceOrTooOften) {
     ForceOrder order{.force_n = {1.0, 0.0}, .tool_mm = {60.0, 50.0}, .ticks = 1};
     EXPECT_FALSE(told(order, 20 * kMs).empty());
     EXPECT_TRUE(told(order, 40 * kMs).empty());

@@ -115,7 +115,7 @@ TEST(DualSense, ReadsTheSensorsOfAPublicSample) {
     EXPECT_EQ(state->charging, 2);
 }
 
-TEST(DualSense, ReadsTouchesAndWhatTheTriggersFeel) {
+TEST(DualSense, ReadsTouchesAndTriggerStates) {
     // Finger 5 at 0x123, 0x345.
     const auto state = dual_sense_state(resting_report({{33, "05 23 51 34"}, {42, "13 02"}, {48, "31"}}));
     ASSERT_TRUE(state);
@@ -193,7 +193,7 @@ TEST(DualSenseByRadio, SaysTheSameAsByCable) {
     EXPECT_EQ(radio->charging, 2);
 }
 
-TEST(DualSenseByRadio, RejectsWhatDoesNotMatchItsChecksum) {
+TEST(DualSenseByRadio, RejectsAReportWithAWrongChecksum) {
     const auto whole = radio_report(resting_report());
     ASSERT_TRUE(dual_sense_state(whole));
     for (std::size_t byte = 0; byte < whole.size(); ++byte) {

@@ -25,7 +25,7 @@ std::int64_t ready(ForceGate& gate, std::uint64_t& ticks) {
     return now_ns;
 }
 
-TEST(ForceGate, GivesNothingBeforeTheFirstTick) {
+TEST(ForceGate, HasNoForceBeforeTheFirstTick) {
     ForceGate gate;
     EXPECT_EQ(size_of(gate.passed({.force_n = {1.0, 0.0}, .ticks = 0}, 0)), 0.0);
     // Not even a small force, as soon as the clock has begun.
@@ -33,7 +33,7 @@ TEST(ForceGate, GivesNothingBeforeTheFirstTick) {
         EXPECT_EQ(size_of(gate.passed({.force_n = {0.1, 0.0}, .ticks = 0}, now_ns)), 0.0) << now_ns;
 }
 
-TEST(ForceGate, GrowsFromNothingToAllInASecond) {
+TEST(ForceGate, RampsUpFromZeroInASecond) {
     ForceGate gate;
     std::uint64_t ticks = 0;
     (void)gate.passed({.ticks = ++ticks}, 0);
@@ -63,7 +63,7 @@ TEST(ForceGate, NeverPassesMoreThanThePeakNorBendsADirection) {
     }
 }
 
-TEST(ForceGate, GivesNothingAfterTwentyMillisecondsWithoutANewTick) {
+TEST(ForceGate, HasNoForceAfterTwentyMillisecondsWithoutANewTick) {
     ForceGate gate;
     std::uint64_t ticks = 0;
     const std::int64_t now_ns = ready(gate, ticks);
@@ -85,7 +85,7 @@ TEST(ForceGate, SaysThatTheLoopIsDeadAfterATenthOfASecond) {
     EXPECT_FALSE(gate.passed({.ticks = 2}, 20'102 * kMs).is_starved);
 }
 
-TEST(ForceGate, GivesNothingForWhatIsNoNumberWhicheverItIs) {
+TEST(ForceGate, HasNoForceForAnOrderWithNan) {
     for (const double wrong :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
           -std::numeric_limits<double>::infinity()}) {
@@ -137,7 +137,7 @@ TEST(ForceGate, PassesTheKiosksPeakAndNoMoreInAnyDirection) {
     }
 }
 
-TEST(ForceGate, BeginsAnewWhereItIsRestarted) {
+TEST(ForceGate, RampsUpAgainAfterARestart) {
     ForceGate gate;
     std::uint64_t ticks = 0;
     const std::int64_t now_ns = ready(gate, ticks);

@@ -41,7 +41,7 @@ TEST(HidKind, KnowsForceJoysticksOfAnyMakerByTheirDescriptor) {
     EXPECT_EQ(recognised(stick).kind, HidKind::kForceJoystick);
 }
 
-TEST(HidKind, KnowsANewerSpaceMouseByWhatItSaysItIs) {
+TEST(HidKind, RecognisesANewerSpaceMouseByItsDescriptor) {
     HidDeviceInfo mouse = device(0x256f, 0xc6ff);
     mouse.report_descriptor = testing::hex("05 01 09 08 a1 01 c0");
     EXPECT_EQ(recognised(mouse).kind, HidKind::kSpaceMouse);
@@ -82,7 +82,7 @@ TEST(HidKind, TakesOfSeveralInterfacesTheOneThatHasTheAxes) {
     }
 }
 
-TEST(HidKind, SaysWhyADeviceIsRefusedAndWhatMendsIt) {
+TEST(HidKind, StatesTheReasonAndRemedyOfARefusal) {
     HidDeviceInfo mouse = device(0x256f, 0xc635);
     mouse.may_open = false;
     EXPECT_EQ(recognised(mouse).refusal, "may not be opened by this user");

@@ -92,7 +92,7 @@ class StickInTheClay : public ::testing::Test {
     std::uint64_t ticks_ = 0;
 };
 
-TEST_F(StickInTheClay, ThatReportsAllTheTimeLosesItsForceAsSoonAsItIsMute) {
+TEST_F(StickInTheClay, ThatReportsContinuouslyLosesItsForceOnceSilent) {
     hold_ms(40, 0);
     pushes = true;
     hold_ms(1500, 0);

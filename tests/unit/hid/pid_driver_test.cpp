@@ -93,7 +93,7 @@ TEST_F(PidDriverTest, ShowsTheClayAsASpringAtItsContactRadius) {
     EXPECT_EQ(sent.front(), "w 03 01 00 67 e6 00 40 00 00 3d 2a 3d 2a 00 00");
 }
 
-TEST_F(PidDriverTest, SaysWhatItShowsByItselfAndWhatItIsToldOverUsb) {
+TEST_F(PidDriverTest, ReportsItsOwnWallAndTheAxesSentOverUsb) {
     EXPECT_FALSE(driver.input(0).shows_wall) << "nothing is plugged in";
     start();
     EXPECT_TRUE(driver.input(0).shows_wall);
@@ -121,7 +121,7 @@ TEST_F(PidDriverTest, NeverAsksForMoreThanThePeak) {
     EXPECT_EQ(sent.front(), "w 05 02 c3 d5");  // -0.33 of 32767
 }
 
-TEST_F(PidDriverTest, SaysNothingTwiceAndNothingTooOften) {
+TEST_F(PidDriverTest, SendsNoReportTwiceOrTooOften) {
     start();
     const ForceOrder order{.force_n = {2.0, 1.0}, .tangential_n = 0.5, .tool_mm = {60.0, 100.0}, .ticks = 1};
     EXPECT_FALSE(told(order, 0).empty());
@@ -179,7 +179,7 @@ TEST_F(PidDriverTest, StopsAllOnceWhenTheLoopIsDeadAndStartsWhenItIsNot) {
               (Log{"w 0c 01", "w 0a 01 01 01", "w 0a 02 01 01", "w 0a 03 01 01", "w 0a 04 01 01"}));
 }
 
-TEST_F(PidDriverTest, StopsFreesAndSwitchesOffAtTheEndWhateverFails) {
+TEST_F(PidDriverTest, StopsFreesAndSwitchesOffAtTheEndDespiteFailures) {
     start();
     driver.stop(port);
     EXPECT_EQ(script->take_sent(), (Log{"w 0c 04", "w 0b 01", "w 0b 02", "w 0b 03", "w 0b 04", "w 0c 02"}));
@@ -229,7 +229,7 @@ TEST_F(PidDriverTest, GivesUpOnADeviceThatNeverAnswersAndLeavesItStopped) {
     EXPECT_LE(script->paused_ms, 100) << "a main thread waits for this when it closes";
 }
 
-TEST_F(PidDriverTest, DoesWithoutTheEffectsForWhichThereIsNoRoom) {
+TEST_F(PidDriverTest, WorksWithoutEffectsThatDoNotFit) {
     script->features[0x12] = {hex("12 01 01 00 01"), hex("12 02 01 00 00"), hex("12 00 02 00 00")};
     ASSERT_TRUE(driver.start(info, port)) << "spring and constant fit; damper and friction do not";
     script->features[0x12] = {hex("12 00 02 00 00")};
@@ -239,7 +239,7 @@ TEST_F(PidDriverTest, DoesWithoutTheEffectsForWhichThereIsNoRoom) {
               "force feedback: expected room for an effect, found the device's memory full");
 }
 
-TEST_F(PidDriverTest, DoesWithoutWhatADeviceRefusesUnlessAForceNeedsIt) {
+TEST_F(PidDriverTest, WorksWithoutRefusedReportsUnlessAForceNeedsThem) {
     for (const char* refused : {"0c 08", "0d"}) {  // reset, gain
         script->refused = refused;
         EXPECT_TRUE(driver.start(info, port)) << refused;

@@ -144,7 +144,7 @@ TEST(PidReports, ControlTheDeviceByABitOrByAPlaceInAList) {
     EXPECT_EQ(bytes_of(device_gain(kRhino, 0.5)), "71 00 08");
 }
 
-TEST(PidReports, LeaveOutWhatAFirmwareLacks) {
+TEST(PidReports, OmitFieldsThatAFirmwareLacks) {
     EXPECT_EQ(bytes_of(set_condition(kSparse, 2, Axis::kX, {.centre = 1.0, .positive_coefficient = 1.0})),
               "03 02 10 27 10 27 10 27");
     EXPECT_EQ(set_condition(kSparse, 2, Axis::kY, {}).size, 0U) << "it cannot tell the axes apart";
@@ -203,7 +203,7 @@ std::vector<std::uint8_t> without(std::vector<std::uint8_t> bytes, std::uint8_t 
     return bytes;
 }
 
-TEST(PidLayout, NeedsWhatAForceNeedsAndNothingElse) {
+TEST(PidLayout, RequiresOnlyTheFieldsOfAForce) {
     for (const auto& whole :
          {testing::open_ffboard_descriptor(), testing::rhino_descriptor(), testing::sparse_descriptor()}) {
         for (const int needed :

@@ -155,7 +155,7 @@ TEST(ReportDescriptor, PassesOverLongItems) {
     EXPECT_EQ(parsed(builder).fields().size(), 1U);
 }
 
-TEST(ReportDescriptor, RejectsWhatIsCutOffOrOutOfBoundsWithItsOffset) {
+TEST(ReportDescriptor, RejectsTruncatedAndOutOfBoundsItemsWithTheirOffset) {
     const std::vector<std::uint8_t> whole = HidDescriptorBuilder().page(0x01).open(0x04, 1).end().bytes();
     ASSERT_EQ(refusal_of(whole), "accepted");
     EXPECT_EQ(refusal_of({0x05, 0x01, 0x26, 0xff}),
@@ -241,7 +241,7 @@ TEST(FieldValues, ComeBackAsTheyWereWrittenAtEveryOffsetAndWidth) {
     }
 }
 
-TEST(FieldValues, AreHeldToWhatTheDescriptorAndTheBitsAllow) {
+TEST(FieldValues, AreClampedToTheDescriptorAndTheBits) {
     Field field;
     field.bit_size = 8;
     field.count = 1;

@@ -76,7 +76,7 @@ TEST(SpaceMouse, MovesTheToolAlthoughItsLampCannotBeSwitched) {
     EXPECT_GT(driver.input(0).rate_mm_s.x, 0.0);
 }
 
-TEST(SpaceMouse, MovesNothingInsideItsDeadBandAndNeverFasterThanItsBest) {
+TEST(SpaceMouse, RestsInsideItsDeadBandAndKeepsItsSpeedLimit) {
     const SpaceMouseMapping mapping;
     for (const int value : {0, 1, 15, -15})
         EXPECT_EQ(shaped_axis(static_cast<std::int16_t>(value), mapping), 0.0) << value;

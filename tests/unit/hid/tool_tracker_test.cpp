@@ -61,7 +61,7 @@ TEST(ToolTracker, TellsARefreshedPlaceFromAThreadThatLives) {
     EXPECT_TRUE(tracker.was_refreshed());
 }
 
-TEST(ToolTracker, StaysWhereItIsWhenNothingIsPluggedIn) {
+TEST(ToolTracker, StaysInPlaceWithoutADevice) {
     ToolTracker tracker;
     DeviceInput input = pushing(1);
     const HandSample before = tracker.moved(input, kStep);
@@ -73,7 +73,7 @@ TEST(ToolTracker, StaysWhereItIsWhenNothingIsPluggedIn) {
     }
 }
 
-TEST(ToolTracker, GoesAlongWithWhatTheHandHasTravelledOnceAndWithoutALeap) {
+TEST(ToolTracker, AddsTheHandsTravelOnceWithoutAJump) {
     ToolTracker tracker;
     DeviceInput input{.motion = DeviceInput::Motion::kRate, .travelled_mm = {500.0, 0.0}, .heartbeat = 1};
     const HandSample before = tracker.moved(input, kStep);

@@ -7,7 +7,7 @@
 namespace onggi::jobs {
 namespace {
 
-TEST(FrameRate, IsTheDisplaysOwnUpToWhatTheMachineShallDraw) {
+TEST(FrameRate, IsTheDisplaysRateUpToTheMachinesLimit) {
     for (const double own : {24.0, 30.0, 50.0, 59.94, 60.0, 72.0, 75.0})
         EXPECT_EQ(frame_rate_hz(own, 75.0), own);
     EXPECT_EQ(frame_rate_hz(75.5, 75.0), 75.5) << "a driver that rounds";
@@ -22,7 +22,7 @@ TEST(FrameRate, IsAWholeFractionOfAQuickDisplays) {
     EXPECT_EQ(frame_rate_hz(240.0, 150.0), 120.0);
 }
 
-TEST(FrameRate, IsTheUsualOneWhereADisplaySaysWhatNoneDoes) {
+TEST(FrameRate, IsTheDefaultIfADisplayReportsAnImplausibleRate) {
     for (const double odd : {0.0, -1.0, 1.0, 5000.0, std::numeric_limits<double>::quiet_NaN()})
         EXPECT_EQ(frame_rate_hz(odd, 75.0), 60.0) << odd;
 }

@@ -81,7 +81,7 @@ TEST(SpscRing, RoundsItsCapacityUpToAPowerOfTwo) {
     EXPECT_EQ(SpscRing<int>(64).capacity(), 64U);
 }
 
-TEST(SpscRing, RefusesWhenFullAndWhenEmptyAndChangesNothing) {
+TEST(SpscRing, RefusesUnchangedWhenFullAndWhenEmpty) {
     SpscRing<int> ring(4);
     int value = -1;
     EXPECT_FALSE(ring.try_pop(value));
@@ -96,7 +96,7 @@ TEST(SpscRing, RefusesWhenFullAndWhenEmptyAndChangesNothing) {
     EXPECT_FALSE(ring.try_pop(value));
 }
 
-TEST(SpscRing, KeepsNothingAliveThatWasTaken) {
+TEST(SpscRing, ReleasesTakenElements) {
     SpscRing<std::shared_ptr<int>> ring(64);
     auto shared = std::make_shared<int>(7);
     ASSERT_TRUE(ring.try_push(shared));
@@ -139,7 +139,7 @@ TEST(MessageQueue, DoesTasksInTheOrderInWhichTheyWereAskedAndLetsGoOfThem) {
     EXPECT_EQ(held.use_count(), 1) << "what was done holds nothing";
 }
 
-TEST(MessageQueue, DropsWhatComesWhileTooManyWait) {
+TEST(MessageQueue, DropsMessagesWhileTooManyWait) {
     MessageQueue<int> messages(2);
     for (int message = 1; message <= 3; ++message)
         messages.post(message);

@@ -55,7 +55,7 @@ TEST(Histogram, IsWithinThreePercentAboveTheTruthAtEveryPercentile) {
     EXPECT_EQ(histogram.max(), all.back());
 }
 
-TEST(Histogram, CountsWhatIsBeyondItsRangeInTheLastBucket) {
+TEST(Histogram, CountsValuesBeyondItsRangeInTheLastBucket) {
     Histogram histogram;
     histogram.record(5);
     histogram.record(std::int64_t{1} << 60);

@@ -36,7 +36,7 @@ struct AFramePacer : testing::Test {
     FramePacer<VirtualClock> pacer{clock, 60.0};
 };
 
-TEST_F(APacer, StartsEachTickAtItsOwnDeadlineWhenNothingIsLate) {
+TEST_F(APacer, StartsEachTickAtItsDeadlineWhenNotLate) {
     const std::int64_t start_ns = clock.now_ns();
     for (int k = 0; k < 5000; ++k) {
         const Period period = do_one(pacer, clock, 10 * kUs);
@@ -161,7 +161,7 @@ TEST(Pacer, LeavesATenthOfTheCoreEvenWhenEveryTickTakesTooLong) {
     }
 }
 
-TEST_F(ARestlessPacer, TakesNoRestWhereNoneIsWanted) {
+TEST_F(ARestlessPacer, TakesNoRestIfNotRequested) {
     for (int k = 0; k < 100; ++k)
         do_one(pacer, clock, 2 * kMs);
     EXPECT_EQ(clock.sleeps, 1);  // before the first deadline only

@@ -36,7 +36,7 @@ TEST(HapticCore, IsSharedWhenThereIsOnlyOne) {
     EXPECT_TRUE(choice.shared());
 }
 
-TEST(HapticCore, IsUnknownWhenNothingIsKnown) {
+TEST(HapticCore, IsUnknownWithoutCoreInformation) {
     const CoreChoice choice = choose_haptic_core(std::vector<int>{});
     EXPECT_EQ(choice.core, -1);
     EXPECT_TRUE(choice.shared());
@@ -101,7 +101,7 @@ TEST(ThreadSetup, KeepsAThreadOffTheCoreThatHasTakenAllCoresForItself) {
               Grant::kGranted);
 }
 
-TEST(ThreadSetup, RecordsWithItsReasonWhatTheKernelRefuses) {
+TEST(ThreadSetup, RecordsEachRefusalOfTheKernelWithItsReason) {
     const CoreChoice no_such_core{.core = CPU_SETSIZE - 1, .others = {0}};
     std::thread([&] {
         const RealTimeReport report =
@@ -152,7 +152,7 @@ TEST(WakefulCores, CanBeAskedForReleasedAndAskedForAgain) {
     EXPECT_EQ(cores.request().grant, first.grant);
 }
 
-TEST(RealTimeReport, LacksNothingWhenAllIsGranted) {
+TEST(RealTimeReport, ReportsNoLackWhenAllIsGranted) {
     RealTimeReport report;
     report.core = choose_haptic_core(std::vector<int>{0, 1});
     report.fifo.grant = report.pinning.grant = report.memory_lock.grant = Grant::kGranted;

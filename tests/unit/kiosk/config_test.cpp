@@ -22,7 +22,7 @@ TEST(Config, RunsWithoutAnyLine) {
     EXPECT_EQ(rules.pin_digits, 0);
 }
 
-TEST(Config, TakesWhatIsWritten) {
+TEST(Config, ReadsEverySetting) {
     const auto config = read_config(
         "[visit]\nidle_s = 60\n[languages]\norder = [\"en\", \"ko\"]\nfirst = \"ko\"\n[staff]\npin = "
         "\"0472\"\n"
@@ -42,7 +42,7 @@ TEST(Config, TakesWhatIsWritten) {
     EXPECT_TRUE(rules.locked);
 }
 
-TEST(Config, SharesOverAnAddressOfItsOwnOrOverTheHousesServer) {
+TEST(Config, SharesThroughItsOwnAddressOrTheMuseumsServer) {
     const auto own = read_config("[sharing]\nlisten = \"wlan0\"\nport = 80\nhours = 3\n", "kiosk.toml");
     ASSERT_TRUE(own) << own.error().message;
     EXPECT_TRUE(shares(*own));
@@ -217,7 +217,7 @@ const struct {
     {"[staff]\nname = \"\xff\"\n", "kiosk.toml, line 2: expected TOML, found "},
 };
 
-TEST(Config, RejectsEachMistakeWithItsLineAndWhatIsAllowed) {
+TEST(Config, RejectsEachErrorWithItsLineAndTheAllowedValues) {
     for (const auto& one : kMistakes) {
         const auto refused = read_config(one.toml, "kiosk.toml");
         ASSERT_FALSE(refused) << one.toml;
@@ -239,7 +239,7 @@ TEST(Config, TakesOtherAlphabetsInStringsAndAMarkOfByteOrder) {
     EXPECT_EQ(config->staff.name, "가마 \" 窯");
 }
 
-TEST(Config, RejectsWhatIsNoToml) {
+TEST(Config, RejectsInvalidToml) {
     const auto refused = read_config("[visit\nidle_s = 4\n", "kiosk.toml");
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message.rfind("kiosk.toml, line 1: expected TOML, found ", 0), 0U)

@@ -80,7 +80,7 @@ TEST(Strings, KeepTheMarksForTheNativeReader) {
     EXPECT_FALSE(built_in_languages()[0].words().at("attract.touch").needs_native_check);
 }
 
-TEST(Strings, SpeakAsWrittenWhereNothingElseIsSaid) {
+TEST(Strings, SpeakTheShownTextIfNoSpokenOneIsGiven) {
     EXPECT_EQ(english().spoken("ctl.up"), "Up");
     EXPECT_EQ(english().spoken("ctl.undo"), "Undo the last touch");
 }
@@ -115,7 +115,7 @@ TEST(Strings, TakeATableAsEditorsLeaveIt) {
         << "nothing of its own yet";
 }
 
-TEST(Strings, RejectsWhatIsNoTable) {
+TEST(Strings, RejectsInvalidTables) {
     const auto refused = Language::read("key,text\n", "ko", "ko.tsv");
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message,

@@ -31,7 +31,7 @@ TEST(PackedBytes, OfEverySizeComeBack) {
     }
 }
 
-TEST(PackedBytes, TakeTheRoomOfWhatDiffers) {
+TEST(PackedBytes, TakeTheRoomOfTheirDifferences) {
     const auto like = noise(1'000'000, 3);
     auto bytes = like;
     const auto other = noise(20'000, 4);
@@ -66,7 +66,7 @@ TEST(PackedBytes, TakeLittleRoomWhereAllNumbersMoved) {
     EXPECT_EQ(unpack(packed, like), bytes);
 }
 
-TEST(PackedBytes, SayWhereTheyAreNotWhatWasPacked) {
+TEST(PackedBytes, ThrowIfTheyAreTruncated) {
     const auto bytes = noise(100'000, 5);
     PackedBytes packed = pack(bytes, {});
     packed.deflated.resize(packed.deflated.size() / 2);

@@ -42,7 +42,7 @@ TEST(RejectsSession, OfAnotherKind) {
 
 TEST(RejectsSession, OfTheVersionsInWhichNoHandCouldLetGo) {
     const std::string expected = "s.onggi: byte 8: expected a session of version 2.1, found 1.";
-    const std::string reason = ", recorded before hands could let go: record it anew";
+    const std::string reason = ", recorded before hands could let go: record it again";
     std::string bytes = with_header_field<std::uint16_t>(8, 1);
     EXPECT_EQ(refusal(bytes), expected + "0" + reason);
     test::put_at<std::uint16_t>(bytes, 10, 1);
@@ -63,7 +63,7 @@ TEST(RejectsSession, OfANewerOrUnknownVersion) {
     EXPECT_NE(refusal(bytes).find("newer program"), std::string::npos);
 }
 
-TEST(RejectsSession, WithASupplementThatIsNone) {
+TEST(RejectsSession, WithAnInvalidSupplement) {
     const std::string good = session_bytes(1500, kSupplement);
     const std::size_t at = session_bytes(1500).size() - 40;  // where the end would be
     const auto with = [&](std::size_t field, std::uint32_t number) {

@@ -224,7 +224,7 @@ TEST(ACutSession, PlaysUpToItsLastWholeBlock) {
     }
 }
 
-TEST(SessionWriter, LeavesWhatItHadWhenTheProgramIsKilled) {
+TEST(SessionWriter, LeavesItsCompleteBlocksIfTheProgramIsKilled) {
     const TemporaryFolder folder;
     EXPECT_EQ(test::in_child([&] {
                   auto writer = SessionWriter::create(folder / "s.onggi", test_header(),
@@ -242,7 +242,7 @@ TEST(SessionWriter, LeavesWhatItHadWhenTheProgramIsKilled) {
         ASSERT_EQ(cursor.at(tick), tool_at(tick));
 }
 
-TEST(SessionWriter, OnAFullDiskLeavesNothing) {
+TEST(SessionWriter, OnAFullDiskLeavesNoFile) {
     const TemporaryFolder folder;
     EXPECT_EQ(
         test::in_child([&] {
@@ -319,7 +319,7 @@ TEST(SessionWriter, RejectsAToolThatThePapersClayCannotHear) {
     EXPECT_TRUE(writer->add_tick({}, dvec3(0.0)));
 }
 
-TEST(SessionWriter, RejectsWhatTheReaderWouldReject) {
+TEST(SessionWriter, RejectsInputThatTheReaderWouldReject) {
     const TemporaryFolder folder;
     const auto refused = [&](SessionHeader header) {
         return !SessionWriter::create(folder / "s.onggi", header, {});

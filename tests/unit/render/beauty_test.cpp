@@ -48,7 +48,7 @@ TEST(BeautySample, FillsThePixelAndTheLightEvenly) {
     EXPECT_LT(glm::distance(glm::normalize(light), dvec3(scene.key.towards_light)), 0.01);
 }
 
-TEST(BeautySample, ShiftsThePictureByWhatItSays) {
+TEST(BeautySample, ShiftsThePictureByItsSubPixelOffset) {
     Camera camera;
     const vec4 at = view_projection(camera, 200, 100) * vec4(3.0F, 5.0F, 7.0F, 1.0F);
     camera.shift = vec2(0.01F, -0.02F);

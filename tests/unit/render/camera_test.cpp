@@ -27,12 +27,12 @@ TEST(Camera, ProjectsAsItsMatrixDoes) {
     }
 }
 
-TEST(Camera, DrawsWhatIsHigherFurtherUpThePicture) {
+TEST(Camera, DrawsHigherPointsFurtherUpThePicture) {
     EXPECT_LT(project(kCamera, 800, 600, {0, 200, 0})->pixel.y,
               project(kCamera, 800, 600, {0, 0, 0})->pixel.y);
 }
 
-TEST(Camera, SeesNothingBehindTheEye) {
+TEST(Camera, ProjectsNoPointBehindTheEye) {
     EXPECT_FALSE(project(kCamera, 800, 600, {600, 800, 2000}));
 }
 

@@ -51,7 +51,7 @@ TEST_F(HeldPictureTiles, AreNotCopiedWhereSomethingMoves) {
     EXPECT_EQ(work_.bare, (Tiles{0, 1, 1, 0}));
 }
 
-TEST_F(HeldPictureTiles, KeepAnOverlayThatStaysAsItIs) {
+TEST_F(HeldPictureTiles, KeepAnUnchangedOverlay) {
     frame();
     frame({}, {0, 7, 8, 0});
     EXPECT_EQ(work_.laid_over, (Tiles{0, 1, 1, 0}));
@@ -66,7 +66,7 @@ TEST_F(HeldPictureTiles, KeepAnOverlayThatStaysAsItIs) {
     EXPECT_EQ(work_.laid_over, Tiles(kTiles, 0));
 }
 
-TEST_F(HeldPictureTiles, HaveTheOverlayOnWhatMovesAndBackWhenNothingMovesThereAnyMore) {
+TEST_F(HeldPictureTiles, ComposeTheOverlayOverMovingTilesAndRestoreThemAfterwards) {
     frame({}, {0, 7, 8, 0});
     frame({0, 1, 0, 1}, {0, 7, 8, 0});
     EXPECT_EQ(work_.bare, Tiles(kTiles, 0));

@@ -31,7 +31,7 @@ class SmoothedPixels : public testing::Test {
 };
 
 // E. Persson's rule: the neighbour beyond the line fills the part of the pixel beyond the line.
-TEST_F(SmoothedPixels, GiveTheirNeighbourWhatLiesBeyondALevelLine) {
+TEST_F(SmoothedPixels, BlendWithTheNeighbourAcrossALevelLine) {
     const auto before = pixels_;
     smooth(vec4(5.0F, 10.2F, 0.4F, 1.0F), vec4(15.0F, 10.2F, 0.4F, 1.0F));
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
@@ -63,7 +63,7 @@ TEST_F(SmoothedPixels, FollowALineThatIsSteepOrLeans) {
     }
 }
 
-TEST_F(SmoothedPixels, LeaveWhatIsNearerThanTheLine) {
+TEST_F(SmoothedPixels, KeepPixelsNearerThanTheLine) {
     const auto before = pixels_;
     depth_[at(8, 10)] = 0.3F;
     // Deeper from left to right: 0.5, that of the picture, in the middle.

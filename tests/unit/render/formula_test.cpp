@@ -67,7 +67,7 @@ TEST(Formula, OfTheScreensTransferIsTheStandardsWithinATenthOfALevelAndBackWithi
                     [](const auto& v, auto& into) { into = shaders::untransferred(v); });
 }
 
-TEST(Formula, OfASphereHidesWhatIsBehindItAndNothingElse) {
+TEST(Formula, OfASphereHidesOnlyPointsBehindIt) {
     const vec4 sphere(0.0F, 50.0F, 0.0F, 10.0F);
     const vec3 up(0.0F, 1.0F, 0.0F);
     EXPECT_EQ(shaders::past_sphere(sphere, up, 0.05F, vec3(0.0F)), 0.0F);

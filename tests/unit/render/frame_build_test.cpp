@@ -57,7 +57,7 @@ TEST_F(FrameBuild, SmoothsOutlinesOnlyWhereThePictureHasOneSampleAPixel) {
     EXPECT_TRUE(build().edges.empty());
 }
 
-TEST_F(FrameBuild, DrawsNoLatheWhereThereIsNone) {
+TEST_F(FrameBuild, DrawsNoMissingLathe) {
     scene_.lathe.reset();
     EXPECT_TRUE(build().faces.indices.empty());
     scene_.lathe = Lathe{};
@@ -88,12 +88,12 @@ TEST_F(FrameBuild, MirrorsAGlazeMoreThanWater) {
     EXPECT_LT(build().lathe.gloss.z, glaze_of_water);
 }
 
-TEST_F(FrameBuild, TurnsTheStreaksOnceRoundInTwoOfItsTexture) {
+TEST_F(FrameBuild, RepeatsTheStreaksTextureTwicePerTurn) {
     scene_.lathe->turn = {0.0F, 1.0F};  // a quarter
     EXPECT_NEAR(build().lathe.turn.x, 0.5F, 1e-6F);
 }
 
-TEST_F(FrameBuild, RedrawsTheStillLifeForWhatItShowsAndForNothingElse) {
+TEST_F(FrameBuild, RedrawsTheStillLifeOnlyForItsOwnInputs) {
     const std::uint64_t before = still_hash(scene_, 1280, 720);
     radii_[5] = 1.0F;
     scene_.spheres[0].centre_mm.x += 1.0F;
@@ -140,7 +140,7 @@ TEST_F(FrameBuild, RedrawsTheShadowForOutlineToolAndLight) {
     EXPECT_EQ(hashes.size(), 4U);
 }
 
-TEST(StillBounds, KnowsTheGroundAndOnlyWhatCasts) {
+TEST(StillBounds, KnowTheGroundAndTheShadowCasters) {
     auto mesh = std::make_shared<Mesh>();
     mesh->vertices = {{.position_mm = {-10, -5, 0}, .normal = {0, 1, 0}},
                       {.position_mm = {10, 5, 0}, .normal = {0, 1, 0}}};

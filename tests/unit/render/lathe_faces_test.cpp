@@ -54,7 +54,7 @@ class Faces : public testing::Test {
     LatheFaces faces_;
 };
 
-TEST_F(Faces, LeaveOutOnlyWhatLooksAway) {
+TEST_F(Faces, OmitOnlyTrianglesFacingAway) {
     LatheFaces all;
     take_all_faces(kRows, kSectors, all);
     const auto chosen = triangles(choose().indices);
@@ -110,12 +110,12 @@ TEST_F(Faces, AskForNoShadowWhereItIsDarkAnyway) {
     EXPECT_EQ(faces_.plain, faces_.indices.size());
 }
 
-TEST_F(Faces, AreAllThereWhenTheEyeIsAmongThem) {
+TEST_F(Faces, AreCompleteIfTheEyeIsAmongThem) {
     camera_ = {.eye_mm = {0.0F, 100.0F, 40.0F}, .target_mm = {0.0F, 80.0F, 0.0F}, .near_mm = 500.0F};
     EXPECT_EQ(choose().indices.size(), 6 * (kRows - 1) * kSectors);
 }
 
-TEST_F(Faces, AreNoneWithoutTwoRows) {
+TEST_F(Faces, AreEmptyWithoutTwoRows) {
     vertices_.resize(kSectors + 1);
     EXPECT_TRUE(choose().indices.empty());
     EXPECT_EQ(faces_.plain, 0U);

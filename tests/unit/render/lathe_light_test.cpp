@@ -33,7 +33,7 @@ TEST(LatheLight, SeesTheWholeSkyFromAStraightWallAndHalfFromUnderALedge) {
     EXPECT_GT(open_outside(samples, 30.0F, 2.0F), 0.9F);
 }
 
-TEST(LatheLight, SeesOfTheSkyInsideWhatTheMouthLeaves) {
+TEST(LatheLight, SeesTheSkyThroughTheMouthFromInside) {
     const Cylinder pot(50.0F, 5.0F, 10.0F, 100.0F);
     const LatheSamples samples = samples_of(pot.profile(0.0F));
     // The middle of the floor looks at a disc of 45 mm radius 90 mm above: R^2 / (R^2 + h^2) = 0.2.

@@ -126,7 +126,7 @@ TEST_F(LathePixels, GrowEvenlyBetweenTheCornersWhicheverBlockTheyAreIn) {
     }
 }
 
-TEST_F(LathePixels, ShowWhatIsNearest) {
+TEST_F(LathePixels, ShowTheNearestSurface) {
     const auto of = [&](float depth, float ambient) {
         std::vector<LatheCorner> corners = sheet(depth);
         for (LatheCorner& own : corners)
@@ -145,7 +145,7 @@ TEST_F(LathePixels, ShowWhatIsNearest) {
     EXPECT_NEAR(pixels_.back() & 255U, shown(0.3F), 0.6F) << "to the last pixel";
 }
 
-TEST_F(LathePixels, HaveNothingOfWhatIsBehindTheEyeOrLooksAwayOrHasNoArea) {
+TEST_F(LathePixels, SkipTrianglesBehindTheEyeFacingAwayOrWithoutArea) {
     std::vector<LatheCorner> corners = sheet();
     corners[1].away_mm = 0.0F;
     draw(corners, kSheet);
@@ -281,7 +281,7 @@ TEST_F(LathePixels, LoseTheKeyBehindASphereWhereOneMayBe) {
     EXPECT_EQ(red({}, false), free) << "it is known not to be near";
     EXPECT_EQ(red({{value::kPlace, 40.0F}}, true), free) << "beside it";
     EXPECT_EQ(red({{value::kPlace + 2, 200.0F}}, true), free) << "before it";
-    // The light has a half-width of 0.05: at the sphere's silhouette half of it is visible.
+    // The light has a half-width of 0.05: at the sphere's silhouette half the light is visible.
     const float half = red({{value::kPlace + 1, 20.0F}}, true);
     EXPECT_NEAR(half, red({{value::kSeen, 0.5F}}), 1.0F);
 }

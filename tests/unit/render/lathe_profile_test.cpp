@@ -16,7 +16,7 @@ LatheProfile solid(const std::vector<float>& radii, float rounding_mm) {
     return profile;
 }
 
-// What a walk with the clay on its left hand encloses, turned about the axis: pi r^2 dy over all pieces.
+// The volume enclosed by a walk with the clay on its left, turned about the axis: pi r^2 dy over all pieces.
 double volume_mm3(const LatheProfile& profile) {
     double volume = 0.0;
     for (std::size_t i = 1; i < profile.points.size(); ++i) {
@@ -62,7 +62,7 @@ TEST(LatheProfile, RoundsBothEdgesOfAThickRimAndLeavesItFlatBetween) {
     EXPECT_NEAR(flat, 22.0F, 1e-3F);
 }
 
-TEST(LatheProfile, ClosesASolidOneAcrossItsTopWithTheEdgeThereIsRoomFor) {
+TEST(LatheProfile, ClosesASolidPotAcrossItsTopWithTheLargestEdgeThatFits) {
     const std::vector<float> radii(2000, 60.0F);
     const LatheProfile profile = solid(radii, 2.5F);
     EXPECT_FALSE(profile.hollow);

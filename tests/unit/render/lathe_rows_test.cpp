@@ -42,7 +42,7 @@ TEST(LatheRows, NeverAreMoreThanTheCapHoweverRoughBothFaces) {
     }
 }
 
-TEST(LatheRows, LeaveOutWhatNoCameraBelowTheRimCanSee) {
+TEST(LatheRows, OmitTheInsideForACameraBelowTheRim) {
     const LatheProfile profile = Cylinder().profile();
     EXPECT_EQ(points_seen(profile, {0.0F, 60.0F, 800.0F}, 0.0F), profile.inside);
     EXPECT_EQ(points_seen(profile, {0.0F, 800.0F, 10.0F}, 0.0F), profile.points.size())
@@ -62,7 +62,7 @@ TEST(LatheRows, ReachAsFarDownInsideAsTheLineOverTheNearRim) {
     EXPECT_LT(steep, 100.0F - 25.7F + 2.5F) << "nothing that shows may be left out";
 }
 
-TEST(LatheRows, SeePastANeckOnlyWhatItLetsThrough) {
+TEST(LatheRows, IncludeTheInsideVisibleThroughANeck) {
     Cylinder pot;
     for (std::size_t i = 0; i < pot.outer.size(); ++i) {
         if (pot.top[i] > 85.0F) {

@@ -30,7 +30,7 @@ TEST(LatheSectors, GoOnceRoundFromTheEyeAndAreTheSameOnBothSides) {
     EXPECT_NEAR(angles[(angles.size() - 1) / 2], kVase.azimuth_rad + kPiF, 1e-5F);
 }
 
-TEST(LatheSectors, KeepEveryEdgeThatIsSeenWithinTheErrorOfItsCircle) {
+TEST(LatheSectors, KeepEveryVisibleEdgeWithinItsErrorOfTheCircle) {
     const SectorBudget budget{.error_px = 0.35F, .max_sectors = 96};
     const std::vector<float> angles = seen_sectors(kVase, budget);
     for (std::size_t i = 1; i < angles.size(); ++i) {

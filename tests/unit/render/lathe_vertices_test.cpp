@@ -49,7 +49,7 @@ struct LatheVertices : testing::Test {
     const Cylinder pot;
 };
 
-TEST_F(LatheVertices, EncloseTheClayWithFacesThatLookOutOfIt) {
+TEST_F(LatheVertices, EncloseTheClayWithOutwardFaces) {
     const Built built(pot.lathe(0.0F));
     const double expected = 3.14159265358979 * (50.0 * 50.0 * 100.0 - 45.0 * 45.0 * 90.0);
     // The polygon straddles the circle, so its area is a little larger than the inscribed one's.
@@ -134,7 +134,7 @@ TEST_F(LatheVertices, CarryAPotOffItsCentreRoundTheAxis) {
     EXPECT_FLOAT_EQ(largest_offset_mm(lathe), 6.0F);
 }
 
-TEST_F(LatheVertices, CutOpenKeepOnlyWhatLiesBehindTheSection) {
+TEST_F(LatheVertices, CutOpenKeepOnlyThePartBehindTheSection) {
     Lathe lathe = pot.lathe();
     lathe.cut = LatheCut{.towards_rad = 0.3F};
     const vec2 facing(std::sin(0.3F), std::cos(0.3F));

@@ -52,7 +52,7 @@ TEST(PropBoxes, HoldEveryTriangleAndLittleElse) {
     }
 }
 
-TEST(PropBoxes, OfNothingAreNone) {
+TEST(PropBoxes, AreEmptyWithoutTriangles) {
     PropModel nothing;
     measure(nothing);
     EXPECT_TRUE(nothing.boxes_mm.empty());
@@ -100,7 +100,7 @@ class MovingTiles : public testing::Test {
     BuiltFrame built_;
 };
 
-TEST_F(MovingTiles, HoldEveryPointOfThePotAndOfWhatIsHeld) {
+TEST_F(MovingTiles, ContainEveryPointOfThePotAndTheProps) {
     for (std::size_t i = 0; i < radii_.size(); ++i)
         radii_[i] = 50.0F + 25.0F * std::sin(0.005F * static_cast<float>(i));
     static_cast<void>(find());
@@ -123,7 +123,7 @@ TEST_F(MovingTiles, AreFewBesideAnArmThatLiesAslant) {
     EXPECT_GT(count, 50);
 }
 
-TEST_F(MovingTiles, AreCoveredWhereNoPixelShowsWhatIsBehindThePot) {
+TEST_F(MovingTiles, AreCoveredIfThePotFillsTheTile) {
     for (std::size_t i = 0; i < radii_.size(); ++i)
         radii_[i] = 50.0F + 25.0F * std::sin(0.005F * static_cast<float>(i));
     const std::vector<std::uint8_t>& tiles = find();

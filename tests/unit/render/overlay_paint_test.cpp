@@ -31,7 +31,7 @@ int byte_of(std::uint32_t pixel, int byte) {
     return static_cast<int>(pixel >> (8 * byte) & 0xFFU);
 }
 
-TEST(OverlayPaint, TouchesNothingOutsideAndClearsWhatIsInside) {
+TEST(OverlayPaint, ClearsTheRectangleAndLeavesItsSurroundings) {
     constexpr PixelRect kInside{5, 3, 17, 4};
     const Pixels pixels = painted({}, kInside);
     for (int y = 0; y < kOverlayHeight; ++y) {
@@ -156,7 +156,7 @@ TEST(OverlayPaint, LaysColoursOverEachOtherWithinTwoLevels) {
     }
 }
 
-TEST(OverlayPaint, IsExactWhereItHidesAllOrNothing) {
+TEST(OverlayPaint, IsExactForOpaqueAndTransparentPixels) {
     ui::DrawList list;
     list.add_box({.x = 0.0F, .y = 0.0F, .width = 30.0F, .height = kOverlayHeight},
                  ui::Colour{.r = 0.3F, .g = 1.0F});

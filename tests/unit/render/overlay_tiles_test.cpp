@@ -23,7 +23,7 @@ ui::Rect inside(int column, int row) {
             .height = 3.0F};
 }
 
-TEST(OverlayTiles, NumberWhatLiesOnEachAndNothingElse) {
+TEST(OverlayTiles, HashOnlyTheirOwnContents) {
     ui::DrawList list;
     list.add_box({.x = 0.0F, .y = 0.0F, .width = 3.0F * kTileWidthPx, .height = 4.0F}, kPaper);
     list.add_box(inside(1, 0), kPaper);
@@ -89,7 +89,7 @@ TEST(OverlayTiles, KeepTheirNumberWhereSomethingElseMoves) {
     EXPECT_NE(after[tile(4, 5)], 0U);
 }
 
-TEST(OverlayTiles, LeaveOutWhatLiesBesideThePicture) {
+TEST(OverlayTiles, IgnoreShapesOutsideThePicture) {
     ui::DrawList list;
     list.add_box({.x = -50.0F, .y = 10.0F, .width = 20.0F, .height = 20.0F}, kPaper);
     list.add_box({.x = 4.0F, .y = 1e9F, .width = 20.0F, .height = 20.0F}, kPaper);

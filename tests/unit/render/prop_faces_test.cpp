@@ -97,7 +97,7 @@ class APot : public testing::Test {
     vec3 eye_mm_{0.0F, 350.0F, 1100.0F};
 };
 
-TEST_F(APot, HidesOnlyWhatIsBehindItsWallAndMostOfThat) {
+TEST_F(APot, HidesOnlyAndMostlyTrianglesBehindItsWall) {
     const InsidePot inside(pot_.lathe(), samples_, eye_mm_);
     std::mt19937 random(11);
     std::uniform_real_distribution<float> wide_mm(-80.0F, 80.0F);
@@ -127,7 +127,7 @@ TEST_F(APot, HidesLessWhereItsWallIsDented) {
     EXPECT_FALSE(InsidePot(dented, samples_, eye_mm_).hides(close_to_the_wall));
 }
 
-TEST_F(APot, HidesNothingThatIsCutOpenOrSeenFromBelowItsRim) {
+TEST_F(APot, HidesNoTriangleIfCutOpenOrSeenFromBelowItsRim) {
     const vec3 within(0.0F, 50.0F, 0.0F);
     EXPECT_TRUE(InsidePot(pot_.lathe(), samples_, eye_mm_).hides(within));
     Lathe open = pot_.lathe();

@@ -59,7 +59,7 @@ class PropLight : public testing::Test {
 
 constexpr float kTone = 0.5F + 128.0F / 255.0F;  // of the middle one
 
-TEST_F(PropLight, OfTheSkyIsTheAlbedosShareOfIt) {
+TEST_F(PropLight, OfTheSkyIsProportionalToTheAlbedo) {
     frame_.irradiance[0] = vec4(0.8F, 0.6F, 0.4F, 0.0F);
     mesh_.albedo = vec3(0.5F, 0.3F, 0.1F);
     for (int channel = 0; channel < 3; ++channel) {

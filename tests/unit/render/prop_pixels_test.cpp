@@ -37,7 +37,7 @@ TEST_F(PropPixels, AreThoseWhoseMiddleATriangleHolds) {
     EXPECT_GT(covered, 50000);
 }
 
-TEST_F(PropPixels, LeaveNoneOutBetweenTwoTrianglesAndDrawNoneTwice) {
+TEST_F(PropPixels, DrawEachPixelBetweenTwoTrianglesOnce) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> off(-0.2F, 0.2F);
     constexpr int kAcross = 30;
@@ -84,7 +84,7 @@ TEST_F(PropPixels, SpreadColoursEvenlyBetweenTheCorners) {
     }
 }
 
-TEST_F(PropPixels, ShowWhatIsNearest) {
+TEST_F(PropPixels, ShowTheNearestSurface) {
     draw(sheet(0.6F, 60.0F), kSheet);
     draw(sheet(0.4F, 40.0F), kSheet);
     draw(sheet(0.5F, 50.0F), kSheet);
@@ -100,7 +100,7 @@ TEST_F(PropPixels, ShowWhatIsNearest) {
     EXPECT_EQ(pixels_.back() & 255U, 20U) << "to the last pixel";
 }
 
-TEST_F(PropPixels, HaveNothingOfWhatIsBehindTheEyeOrHasNoArea) {
+TEST_F(PropPixels, SkipTrianglesBehindTheEyeOrWithoutArea) {
     std::vector<PropCorner> corners = sheet(0.5F, 50.0F);
     corners[1].away_mm = 0.0F;
     draw(corners, kSheet);
@@ -111,7 +111,7 @@ TEST_F(PropPixels, HaveNothingOfWhatIsBehindTheEyeOrHasNoArea) {
               static_cast<std::ptrdiff_t>(pixels_.size()));
 }
 
-TEST_F(PropPixels, StayAsTheyAreWhereTheCanvasIsNextToNothing) {
+TEST_F(PropPixels, AreUnchangedOnATinyCanvas) {
     std::array<std::uint32_t, 4> pixels{};
     std::array<float, 4> depth{1.0F, 1.0F, 1.0F, 1.0F};
     draw_triangles(sheet(0.5F, 50.0F), kSheet, {.size = {2, 2}, .pixels = pixels, .depth = depth});

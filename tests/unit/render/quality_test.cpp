@@ -46,7 +46,7 @@ TEST(QualityLadder, IsNotMovedByASingleSlowFrame) {
     }
 }
 
-TEST(QualityLadder, GoesUpWhenThereIsTimeToSpareForLong) {
+TEST(QualityLadder, StepsUpAfterALongTimeWithRoomToSpare) {
     QualityLadder ladder(quality_range(DeviceClass::kSoftware, 1));
     EXPECT_EQ(run(ladder, 4.0, 4.0), 0) << "too soon";
     EXPECT_EQ(run(ladder, 3.0, 4.0), 1);
@@ -54,7 +54,7 @@ TEST(QualityLadder, GoesUpWhenThereIsTimeToSpareForLong) {
     EXPECT_EQ(run(ladder, 60.0, 4.0), 0) << "a software device has no higher step";
 }
 
-TEST(QualityLadder, TriesAgainEverMoreSeldomWhatDidNotLast) {
+TEST(QualityLadder, RetriesAFailedStepWithGrowingDelays) {
     QualityLadder ladder(quality_range(DeviceClass::kSoftware, 1));
     int changes = 0;
     // The lower step is easy, the higher one too much: without the growing delay it would change every few
@@ -201,14 +201,14 @@ TEST(QualityLadder, TriesNoStepOfAGpuAgainThatWasTooSlow) {
     EXPECT_EQ(ladder.step(), QualityStep::kIntegratedGpu);
 }
 
-TEST(BackendChoice, IsNamedAsItIsAskedFor) {
+TEST(BackendChoice, HasTheNamesOfItsOption) {
     for (const char* name : {"auto", "gpu", "cpu"})
         EXPECT_EQ(backend_choice_name(backend_choice_named(name).value()), name);
     EXPECT_FALSE(backend_choice_named("GPU"));
     EXPECT_FALSE(backend_choice_named(""));
 }
 
-TEST(BackendChoice, SaysWhatADeviceCountsAs) {
+TEST(BackendChoice, DeterminesTheClassOfADevice) {
     using enum DeviceClass;
     for (const DeviceClass device : {kSoftware, kIntegratedGpu, kDiscreteGpu}) {
         EXPECT_EQ(class_for(BackendChoice::kAuto, device), device);
@@ -234,7 +234,7 @@ TEST(Quality, NamesEveryStepDifferentlyAndAsksMoreOfEach) {
     EXPECT_EQ(names.size(), 8U);
 }
 
-TEST(Quality, RefusesWhatNoBackendDraws) {
+TEST(Quality, RefusesSettingsThatNoBackendSupports) {
     RendererDesc processor = live_desc(VK_FORMAT_R8G8B8A8_UNORM, true, 720);
     ASSERT_TRUE(check_desc(processor));
     processor.samples = 4;

@@ -112,7 +112,7 @@ TEST(RingLod, KeepsRingsCloseEnoughForLightToInterpolate) {
         EXPECT_LE(choice.elements[ring] - choice.elements[ring - 1], 100U);
 }
 
-TEST(RingLod, EndsForOneElementForNoneAndForRadiiThatAreNotNumbers) {
+TEST(RingLod, TerminatesForOneElementNoneAndNanRadii) {
     EXPECT_TRUE(choose_rings({}, {}).elements.empty());
     const std::vector<float> one{60.0F};
     EXPECT_EQ(choose_rings(one, {}).elements, (std::vector<std::uint32_t>{0}));

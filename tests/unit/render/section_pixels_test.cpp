@@ -66,7 +66,7 @@ TEST_F(SectionPixels, HaveALineWhereTheWallEnds) {
     EXPECT_LT(red(6.0F, 0.0F), red(6.0F, 4.5F) - 15) << "and a mark of the scale every ten millimetres";
 }
 
-TEST_F(SectionPixels, LieOnlyWhereNothingIsNearer) {
+TEST_F(SectionPixels, AreHiddenByNearerSurfaces) {
     std::fill(depth_.begin(), depth_.begin() + 45 * kSectionWidth, 0.25F);
     draw(0.0F, 0.0F, false);
     EXPECT_EQ(pixels_[std::size_t{44} * kSectionWidth + 60], 0U);
@@ -84,7 +84,7 @@ TEST_F(SectionPixels, ReddenTowardsWhereTheClayGivesWayIfAsked) {
     EXPECT_GT(red(4.5F, 5.4F), red(4.5F, 4.5F) + 40);
 }
 
-TEST_F(SectionPixels, OfWhatIsBehindTheEyeAreNone) {
+TEST_F(SectionPixels, AreSkippedBehindTheEye) {
     shaders::FrameData frame{};
     frame.view_projection = mat4(0.0F);
     frame.view_projection[3][3] = -1.0F;

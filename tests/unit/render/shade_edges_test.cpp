@@ -99,7 +99,7 @@ TEST_F(ShadeEdgesOf, AStairGoEvenlyFromStepToStep) {
     }
 }
 
-TEST_F(ShadeEdgesOf, NothingAreNone) {
+TEST_F(ShadeEdgesOf, NoPlacesAreEmpty) {
     put_in_shade(kBench);
     const std::vector<std::uint32_t> photograph = picture_;
     smooth();

@@ -80,7 +80,7 @@ TEST(MaskPlace, IsATexelAndTheWayToTheNext) {
     EXPECT_EQ(mask_place(packed(65535, 65535)), (94U * shaders::kMaskTexels + 94U) << 16U | 0xFFFFU);
 }
 
-TEST(MaskPlace, IsThatOfEveryCoordinate) {
+TEST(MaskPlace, IsExactForEveryCoordinate) {
     std::vector<std::uint32_t> coords;
     for (std::uint32_t across = 0; across < 65536; ++across) {
         const std::uint32_t down = across * 40503U & 0xFFFFU;
@@ -189,7 +189,7 @@ TEST(ShadedBlocks, StayInThePictureWhereARectangleIsNarrowerThanThey) {
         EXPECT_EQ(into[beyond], kUntouched);
 }
 
-TEST(ShadedBlocks, CopyWhatIsNotInShadeByteForByte) {
+TEST(ShadedBlocks, CopyUnshadedPixelsByteForByte) {
     constexpr int kWidth = 64;
     std::vector<std::uint32_t> with_key(kWidth);
     for (std::size_t i = 0; i < with_key.size(); ++i)

@@ -54,7 +54,7 @@ TEST_F(EditedShaders, AreCompiledAgainWhenChanged) {
     EXPECT_EQ(words.at(0), kSpirvMagic);
 }
 
-TEST_F(EditedShaders, FollowWhatTheyInclude) {
+TEST_F(EditedShaders, FollowTheirIncludes) {
     edit("curve.h", "kCurveFoot = 0.35F", "kCurveFoot = 0.36F");
     const auto polled = reload_->poll();
     ASSERT_TRUE(polled) << polled.error().message;
@@ -62,7 +62,7 @@ TEST_F(EditedShaders, FollowWhatTheyInclude) {
     EXPECT_GT(reload_->replacements().size(), 3U) << "all that encode colours";
 }
 
-TEST_F(EditedShaders, RejectWhatDoesNotCompileAndNameItsLine) {
+TEST_F(EditedShaders, RejectAFaultyShaderWithItsLine) {
     edit("prop.frag", "void main() {", "void main() { this is no GLSL;");
     const auto polled = reload_->poll();
     ASSERT_FALSE(polled);

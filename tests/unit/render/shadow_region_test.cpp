@@ -37,7 +37,7 @@ TEST(ShadowMask, HoldsTheShadowOfTheTallestThing) {
     EXPECT_NEAR(glm::dot(mask.v, vec4(shadow, 1.0F)), 0.5F, 1e-5F);
 }
 
-TEST(PixelsOf, StaysInsideThePictureAndTakesAllOfItWhenABoxReachesBehindTheEye) {
+TEST(PixelsOf, AreInsideThePictureAndAllOfThemIfABoxReachesBehindTheEye) {
     const Camera camera{
         .eye_mm = {0.0F, 0.0F, 1000.0F}, .target_mm = {0.0F, 0.0F, 0.0F}, .vertical_fov_rad = 0.5F};
     const std::array small{Box{vec3(-10.0F), vec3(10.0F)}};

@@ -15,7 +15,7 @@ UploadLedger::Upload at(int x, int y, int side = 10) {
     return {x, y, painting};
 }
 
-TEST(UploadLedger, KeepsWantingWhatAFrameThatWasNotDrawnDidNotTake) {
+TEST(UploadLedger, KeepsUploadsOfASkippedFramePending) {
     UploadLedger ledger;
     ledger.bring(std::vector{at(0, 0)}, kSidePx);
     ledger.bring(std::vector{at(20, 0)}, kSidePx);
@@ -46,7 +46,7 @@ TEST(UploadLedger, ForgetsATextureOfAnotherSize) {
     EXPECT_EQ(ledger.wanted().size(), 1U);
 }
 
-TEST(UploadLedger, ForgetsWhatWasPaintedOver) {
+TEST(UploadLedger, DropsOverwrittenUploads) {
     UploadLedger ledger;
     ledger.bring(std::vector{at(0, 0), at(10, 0), at(0, 10)}, kSidePx);
     ledger.done();

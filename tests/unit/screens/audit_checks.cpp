@@ -131,7 +131,7 @@ void keeps_reach(const SampleView& sample, const Composition& screen) {
 void audit_contrast(const SampleView& sample, const Composition& screen) {
     // The brightest thing the scene has to show is its window.
     const asset::Image behind = flatten(screen, ui::hex(0xf5f9fd), false);
-    // The name of the target in the ring hides what is below.
+    // The name of the target in the ring hides the words below.
     constexpr float kChipEdge = 18.0F;
     const auto hides = [&](const Writing& other, const Writing& text) {
         const Rect shared = overlap(other.within.grown(kChipEdge), text.rect);

@@ -90,19 +90,19 @@ void expect_nothing_in_any_layout(const Case& one, ui::Painter& painter) {
     }
 }
 
-TEST_P(Audit, FindsNothingInAnyLayout) {
+TEST_P(Audit, FindsNoFaultInAnyLayout) {
     expect_nothing_in_any_layout(GetParam(), *painter_);
 }
 
 // Panel shapes between and beyond the three designed ones, landscape and portrait.
 class OtherShapes : public Audit {};
-TEST_P(OtherShapes, FindsNothingInAnyLayout) {
+TEST_P(OtherShapes, FindNoFaultInAnyLayout) {
     expect_nothing_in_any_layout(GetParam(), *painter_);
 }
 
 // With larger text, texts without room keep their size, but none is smaller, and on the whole they are
 // clearly larger.
-TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
+TEST_P(Audit, FindsNoSmallerWordsWithLargerText) {
     const Case& one = GetParam();
     PaintingStore store(*painter_, PaintingStore::Paints::kNothing);
     for (const bool reach : {false, true}) {
@@ -139,7 +139,7 @@ TEST_P(Audit, WritesNothingSmallerWhereLargerTextIsWanted) {
     }
 }
 
-TEST_P(Audit, FindsNoWordsThatSinkIntoWhatIsBehindThem) {
+TEST_P(Audit, FindsNoWordsWithoutContrastOrRoom) {
     const Case& one = GetParam();
     // A quarter of the size each way, and the same layout. The staff's panel keeps its size of text.
     const auto audit = [&](SampleRequest request) {

@@ -132,7 +132,7 @@ class ForcesOnStage : public testing::Test {
     ForceTrace trace_;
 };
 
-TEST_F(ForcesOnStage, ShowsArrowsWhileTeachingAndNumbersAndPlotsToWhoAsks) {
+TEST_F(ForcesOnStage, ShowArrowsWhileTeachingAndNumbersAndPlotsOnRequest) {
     for (int frame = 0; frame < 100; ++frame)
         trace_.add(frame / 60.0, 0.4, static_cast<std::uint64_t>(frame) * 66);
     ForceFrame frame = sample_frame(trace_);
@@ -146,12 +146,12 @@ TEST_F(ForcesOnStage, ShowsArrowsWhileTeachingAndNumbersAndPlotsToWhoAsks) {
     EXPECT_GT(vertices("throw-forces", &frame), panel_alone + 4U * 16U + 2U * 99U * 4U);
 }
 
-TEST_F(ForcesOnStage, ShowsNothingOutsideThrowing) {
+TEST_F(ForcesOnStage, ShowOnlyWhileThrowing) {
     const ForceFrame frame = sample_frame(trace_);
     EXPECT_EQ(vertices("glaze-0", &frame), vertices("glaze-0", nullptr));
 }
 
-TEST_F(ForcesOnStage, LaysNothingButForcesOverAPictureThatPlaysByItself) {
+TEST_F(ForcesOnStage, AreTheOnlyOverlayOfAPictureThatPlaysByItself) {
     View view;
     view.width_px = 640;
     view.height_px = 360;

@@ -73,7 +73,7 @@ TEST(Legibility, IsKeptByEveryWordAtTheDistanceForWhichThePanelIsLargeEnough) {
     }
 }
 
-TEST(Legibility, LetsWordsGrowForWhoStandsFurtherOffAsFarAsTheirBoxesAllow) {
+TEST(Legibility, EnlargesWordsWithTheDistanceUpToTheirBoxes) {
     const std::vector<std::string> names{"attract", "choose", "idle", "fault"};
     const Panel far{1280, 720, 24.0, 800.0};
     const std::vector<Composition> before = composed(names, {1280, 720, 24.0, 600.0});

@@ -92,7 +92,7 @@ TEST_F(LessMotion, LeavesEveryScreenStill) {
     EXPECT_EQ(moving(true), 0);
 }
 
-TEST_F(LessMotion, LetsNothingSlideFromOneScreenToTheNext) {
+TEST_F(LessMotion, HasNoSlidingBetweenScreens) {
     EXPECT_GT(sliding(false), 10) << "what a visitor sees who did not ask for it";
     EXPECT_EQ(sliding(true), 0);
 }

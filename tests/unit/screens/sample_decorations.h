@@ -43,7 +43,7 @@ inline pot::Section drawn_on(pot::Section shape, const decoration::Strokes& stro
     return shape;
 }
 
-// What the design's sheet shows on a cylinder: five materials, from the rim down.
+// The decoration of the design's sheet, on a cylinder: five materials, from the rim down.
 inline pot::Section sheet_cylinder() {
     using decoration::Technique;
     constexpr double kHeightMm = 150.0;

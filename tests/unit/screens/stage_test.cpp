@@ -43,7 +43,7 @@ class Theatre : public testing::Test {
     Stage stage_;
 };
 
-TEST_F(Theatre, ShowsNothingBeforeTheFirstScreen) {
+TEST_F(Theatre, IsEmptyBeforeTheFirstScreen) {
     EXPECT_TRUE(draw(0.0).runs().empty());
     EXPECT_FALSE(stage_.covers());
     EXPECT_EQ(stage_.target_at({10.0F, 10.0F}), -1);
@@ -121,7 +121,7 @@ std::size_t shared_vertices(const std::vector<ui::Vertex>& list, const std::vect
     }));
 }
 
-TEST_F(Theatre, LeavesWhatTwoScreensShowAlikeAndFadesTheRest) {
+TEST_F(Theatre, KeepsCommonItemsOfTwoScreensAndFadesTheOthers) {
     const auto drawn = [&](double now_s) {
         const ui::DrawList& list = draw(now_s);
         return std::vector<ui::Vertex>(list.vertices().begin(), list.vertices().end());
@@ -147,7 +147,7 @@ TEST_F(Theatre, LeavesWhatTwoScreensShowAlikeAndFadesTheRest) {
     }
 }
 
-TEST_F(Theatre, ChangesAtOnceWhatIsNoOtherScreen) {
+TEST_F(Theatre, ChangesAtOnceWithinAScreen) {
     stage_.take(composed("glaze-0"), 0.0);
     static_cast<void>(draw(1.0));
     stage_.take(composed("glaze-3"), 1.0);
@@ -277,7 +277,7 @@ TEST(Composer, ComposesTheNewestRequestBesideTheFrame) {
 }
 
 // A frame never waits for text: it is painted beside the frames.
-TEST(Composer, LeavesTheFrameNothingToPaint) {
+TEST(Composer, LeavesNoPaintingToTheFrame) {
     const auto samples = sample_views({.width_px = 320, .height_px = 180});
     Composer composer(visit::compose);
     Stage stage;
@@ -330,7 +330,7 @@ TEST(TurnTable, TurnsOnceInNineSecondsAndStopsUnderAFinger) {
     EXPECT_EQ(table.pass(1.0, false, true), turn);
 }
 
-TEST(TurnTable, ShowsFourStillViewsToWhoWantsLessMotion) {
+TEST(TurnTable, ShowsFourStillViewsWithReducedMotion) {
     TurnTable table;
     std::map<double, int> views;
     for (int i = 0; i < 159; ++i)

@@ -10,7 +10,7 @@
 namespace onggi::sharing {
 namespace {
 
-TEST(OpenCounter, CountsWhatIsWritten) {
+TEST(OpenCounter, CountsTheWritersEvents) {
     const test::TemporaryFolder folder;
     auto reader = CounterReader::open(folder / "counter");
     ASSERT_TRUE(reader) << reader.error().message;
@@ -47,7 +47,7 @@ TEST(OpenCounter, NeverWaitsForAReader) {
     EXPECT_GT(again->take()[ShareEvent::kPrintTaken], 10'000);
 }
 
-TEST(OpenCounter, RejectsWhatIsNoPipe) {
+TEST(OpenCounter, RejectsOtherFiles) {
     const test::TemporaryFolder folder;
     test::put_file(folder / "file", "precious");
     const auto refused = CounterReader::open(folder / "file");

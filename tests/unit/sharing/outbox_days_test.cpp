@@ -95,7 +95,7 @@ class OutboxUnderAnyClock : public testing::Test {
             .value();
 };
 
-TEST_F(OutboxUnderAnyClock, LosesNothingWhenAMachineWithoutABatteryStartsIn1970) {
+TEST_F(OutboxUnderAnyClock, LosesNoPotWhenAMachineWithoutABatteryStartsIn1970) {
     const std::string code = put(kNoonS);
     ASSERT_TRUE(outbox_.expire(60));
     EXPECT_TRUE(is_served(code, 60));
@@ -104,7 +104,7 @@ TEST_F(OutboxUnderAnyClock, LosesNothingWhenAMachineWithoutABatteryStartsIn1970)
     EXPECT_FALSE(is_served(code, kNoonS + 7 * kHourS));
 }
 
-TEST_F(OutboxUnderAnyClock, LetsGoWhatWasSharedInTheWrongYear) {
+TEST_F(OutboxUnderAnyClock, RemovesPotsSharedInTheWrongYear) {
     const std::string past = put(120);
     EXPECT_TRUE(is_served(past, 180));
     const std::string future = put(kNoonS + 3650 * kDayS);

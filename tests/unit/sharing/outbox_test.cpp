@@ -90,7 +90,7 @@ TEST_F(OutboxTest, OpensWithTheVisitorsLanguage) {
     EXPECT_EQ(test::content_of(place / "index.html"), test::content_of(place / "ar.html"));
 }
 
-TEST_F(OutboxTest, GivesAPotWhatItLackedWhereItIsStillThere) {
+TEST_F(OutboxTest, AddsMissingFilesToAnExistingPot) {
     Outbox outbox = open_in(folder_ / "box");
     const SharedPot whole = support::full_pot("one");
     SharedPot unfilmed = whole;
@@ -191,7 +191,7 @@ TEST_F(OutboxTest, NeverThrowsTheNewcomerOut) {
     EXPECT_EQ(outbox.list()->front().code, *newcomer);
 }
 
-TEST_F(OutboxTest, RejectsWhatCannotBeShared) {
+TEST_F(OutboxTest, RejectsUnsharablePots) {
     Outbox outbox = open_in(folder_ / "box");
     SharedPot no_picture = support::full_pot("x");
     no_picture.picture.bytes = support::bytes_of("GIF89a");
@@ -213,7 +213,7 @@ TEST_F(OutboxTest, RejectsWhatCannotBeShared) {
     EXPECT_FALSE(Outbox::open({.folder = folder_ / "box"})) << "no language";
 }
 
-TEST_F(OutboxTest, LeavesNothingWhereTheDiskRefuses) {
+TEST_F(OutboxTest, LeavesNoFolderIfTheDiskFails) {
     Outbox outbox = open_in(folder_ / "box");
     fs::permissions(folder_ / "box", fs::perms::owner_read | fs::perms::owner_exec);
     {
@@ -237,7 +237,7 @@ TEST_F(OutboxTest, LeavesNothingWhereTheDiskRefuses) {
         EXPECT_FALSE(entry.is_directory()) << entry.path();
 }
 
-TEST_F(OutboxTest, TakesAwayWhatAKilledWriterLeft) {
+TEST_F(OutboxTest, RemovesAKilledWritersParts) {
     fs::create_directories(folder_ / "box/K73FQ9TX.part");
     test::put_file(folder_ / "box/K73FQ9TX.part/pot.glb", "half");
     fs::create_directories(folder_ / "box/K73FQ9TY");  // without a note, so without an expiry date

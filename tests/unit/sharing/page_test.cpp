@@ -47,7 +47,7 @@ TEST(PhonePage, HasALinkForEachFileThatIsThere) {
     EXPECT_FALSE(has(page, "id=\"ar\"")) << "no augmented reality without https";
 }
 
-TEST(PhonePage, LeavesOutWhatThereIsNot) {
+TEST(PhonePage, OmitsMissingFiles) {
     const SharedPot empty;
     const std::string page = page_of(empty, 0);
     for (const char* text :
@@ -74,7 +74,7 @@ TEST(PhonePage, OffersAugmentedRealityByHttpsOnly) {
     EXPECT_TRUE(has(page, "id=\"ar\" hidden")) << "the script shows it where there is a viewer";
 }
 
-TEST(PhonePage, LoadsNothingFromElsewhere) {
+TEST(PhonePage, LoadsOnlyFilesOfItsFolder) {
     for (const std::string& page :
          {page_of(support::full_pot("x"), 0), lost_page(*support::three_languages(), 0),
           ask_page(*support::three_languages(), 1)}) {

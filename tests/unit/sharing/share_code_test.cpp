@@ -29,7 +29,7 @@ TEST(ShareCode, IsEightLettersByChance) {
     }
 }
 
-TEST(ShareCode, ReadsWhatPeopleType) {
+TEST(ShareCode, AcceptsTypedVariants) {
     for (const char* typed :
          {"K73F0TX1", "k73f0tx1", "K73F-0TX1", " k73f.otxl ", "K73F·OTXI", "k7 3f_0t x1"}) {
         const auto code = ShareCode::read(typed);
@@ -39,7 +39,7 @@ TEST(ShareCode, ReadsWhatPeopleType) {
     EXPECT_EQ(ShareCode::read("K73F0TX1")->shown(), "K73F·0TX1");
 }
 
-TEST(ShareCode, RejectsWhatIsNone) {
+TEST(ShareCode, RejectsInvalidCodes) {
     for (const char* typed : {"", "K73F0TX", "K73F0TX11", "K73F0TXU", "K73F/TX1", "../../..", "K73F0T%31",
                               "ㅏ73F0TX1", "K73F0TX1\n", "--------"})
         EXPECT_FALSE(ShareCode::read(typed)) << typed;

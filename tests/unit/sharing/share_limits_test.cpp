@@ -47,7 +47,7 @@ TEST(ShareLimits, RememberNoMoreAddressesThanTheyMay) {
     }
 }
 
-TEST(ShareLimits, ForgetThoseWhoHaveNothingToPayFirst) {
+TEST(ShareLimits, ForgetIdleAddressesFirst) {
     ShareLimits limits(kRules);
     while (limits.allows(someone(1), 0.0)) {
     }

@@ -75,7 +75,7 @@ TEST(ShareRequest, TakesATargetInAbsoluteForm) {
     EXPECT_EQ(get("http://pots/../etc/passwd").kind, Kind::kNotFound);
 }
 
-TEST(ShareRequest, KnowsNothingElse) {
+TEST(ShareRequest, RejectsOtherPaths) {
     for (const char* target : {"/K73FQ9TX/../K73FQ9TX/pot.glb",
                                "/K73FQ9TX/..",
                                "/../etc/passwd",

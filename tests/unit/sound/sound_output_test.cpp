@@ -112,7 +112,7 @@ TEST_F(SoundWorkTest, FadesOutAtTheEnd) {
     work_.finish();
 }
 
-TEST(SoundOutput, RunsOnAThreadOfItsOwnAndEnds) {
+TEST(SoundOutput, RunsOnItsOwnThreadAndEnds) {
     FakeHall hall;
     hall.has_a_device = false;
     SoundOutput sound(std::make_unique<FakePlace>(hall));

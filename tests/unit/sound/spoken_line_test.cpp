@@ -43,7 +43,7 @@ TEST(SpokenLine, ReadsEveryRateAndOneOrTwoChannels) {
     }
 }
 
-TEST(SpokenLine, ReadsWhatRecordersWrite) {
+TEST(SpokenLine, ReadsFilesOfCommonRecorders) {
     constexpr std::uint32_t kFloats = 3;
     const auto middle = [](const std::string& bytes) {
         const auto line = read_wave(bytes, "line.wav");
@@ -70,7 +70,7 @@ TEST(SpokenLine, GoesOnEvenlyFromBlockToBlock) {
         ASSERT_NEAR(line->samples[i], static_cast<float>(i) / 65536.0F, 1e-6F) << i;
 }
 
-TEST(SpokenLine, SaysInOneLineWhatItCannotRead) {
+TEST(SpokenLine, RejectsOtherFilesInOneLine) {
     const auto message = [](const std::string& bytes) {
         const auto line = read_wave(bytes, "en/choose.title.wav");
         return line ? std::string() : line.error().message;

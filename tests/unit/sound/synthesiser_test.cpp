@@ -121,7 +121,7 @@ TEST_F(SynthesiserTest, CarriesTheForceInLoudnessAndBrightness) {
     }
 }
 
-TEST_F(SynthesiserTest, HearsNothingOfATouchOnAStandingWheel) {
+TEST_F(SynthesiserTest, IsSilentForATouchOnAStandingWheel) {
     EXPECT_LT(level_db(heard({.contact_n = 3.0, .wetness = 1.0, .volume = 1.0})), -100.0);
 }
 
@@ -181,7 +181,7 @@ TEST_F(SynthesiserTest, NeverClicksHoweverTheSceneJumps) {
     EXPECT_LT(largest_step(all), 1.5 * usual);
 }
 
-TEST_F(SynthesiserTest, StaysWithinItsBoundsWhateverItIsTold) {
+TEST_F(SynthesiserTest, StaysWithinItsBoundsForAnyInput) {
     for (const double wild : {1e300, -1e300, std::numeric_limits<double>::infinity(), kNan, -5.0}) {
         const SoundScene scene{.rev_min = wild,
                                .motor_load = wild,

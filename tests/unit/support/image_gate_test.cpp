@@ -158,7 +158,7 @@ TEST_F(ImageGate, FailsASidecarThatAllowsMoreThanTheHouse) {
     EXPECT_FALSE(check(pot()));
 }
 
-TEST_F(ImageGate, ShowsWhatDiffers) {
+TEST_F(ImageGate, ShowsTheDifferences) {
     bless(pot());
     Image wrong = pot();
     const std::size_t at = (100 * 640 + 320) * 4;
@@ -204,14 +204,14 @@ TEST_F(ImageGate, StoresTheDriverTheStateAndTheTolerances) {
     }
 }
 
-TEST_F(ImageGate, StoresNothingInCi) {
+TEST_F(ImageGate, StoresNoPictureInCi) {
     options_.bless = {"vase"};
     options_.in_ci = true;
     EXPECT_FALSE(check(pot()));
     EXPECT_FALSE(std::filesystem::exists(options_.golden_folder));
 }
 
-TEST_F(ImageGate, StoresNothingFromADirtyTree) {
+TEST_F(ImageGate, StoresNoPictureFromADirtyTree) {
     options_.bless = {"vase"};
     options_.dirty_paths = [] { return Result<std::string>(std::string(" M game/clay/paper_clay.cpp\n")); };
     EXPECT_FALSE(check(pot()));
@@ -226,7 +226,7 @@ TEST_F(ImageGate, RejectsNamesThatLeaveTheFolder) {
     }
 }
 
-TEST_F(ImageGate, SeesWhatGitSeesOutsideTheGoldens) {
+TEST_F(ImageGate, FindsUncommittedFilesOutsideTheGoldens) {
     const path repository = folder_ / "repository";
     std::filesystem::create_directories(repository / "tests/golden");
     EXPECT_FALSE(dirty_paths_outside_goldens(folder_ / "nowhere"));

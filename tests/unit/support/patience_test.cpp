@@ -38,7 +38,7 @@ TEST_F(Patience, GrowsWithTheSlownessThatWasMeasured) {
     EXPECT_EQ(scaled(10ms), 25ms);
 }
 
-TEST_F(Patience, IsThatOfTheReferenceMachineWhereNothingOrLessWasMeasured) {
+TEST_F(Patience, IsAtLeastThatOfTheReferenceMachine) {
     for (const char* none : {static_cast<const char*>(nullptr), "", "soon", "0.5", "-3", "nan"}) {
         put(none);
         EXPECT_EQ(slowness(), 1.0);

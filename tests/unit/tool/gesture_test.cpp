@@ -52,7 +52,7 @@ TEST(Gesture, MayEndItsLinesAsWindowsDoesAndTheLastNotAtAll) {
     EXPECT_EQ(gesture->rows()[1].tool.radius_mm, 10);
 }
 
-TEST(Gesture, SaysToAClayWithAnInsideWhatItsExtraColumnsName) {
+TEST(Gesture, PassesItsExtraColumnsToTheStudiosClay) {
     const Gesture gesture = gesture_of(
         "0,60,20,0,1,8,sponge,inner,1,90,6.5,3,rim,88,-30,20,5,7,rib\n"
         "1,60,40,0,1,8,,,,,,,,,-30,60,5,,\n"
@@ -119,7 +119,7 @@ TEST(Gesture, LeavesColumnsItDoesNotKnowAlone) {
               (ToolState{.position_mm = {1, 2, 3}, .radius_mm = 10, .wheel_button = false}));
 }
 
-TEST(RejectsGesture, WhoseExtraColumnsSayWhatTheyCannot) {
+TEST(RejectsGesture, WithInvalidValuesInExtraColumns) {
     const auto with = [](const std::string& columns, const std::string& fields) {
         return refusal(std::string(kGestureHeader) + "," + columns + "\n0,1,2,3,0,10," + fields + "\n");
     };
@@ -256,7 +256,7 @@ TEST(RejectsGesture, WithTooFewOrTooManyColumns) {
     EXPECT_EQ(refusal(kHeader + "0,0,0,0,0,10\n\n"), "g.csv:3: t_s: expected a number, found ''");
 }
 
-TEST(RejectsGesture, WithWhatIsNoNumber) {
+TEST(RejectsGesture, WithAnInvalidNumber) {
     for (const char* word : {"abc", "", " 1", "1 ", "+1", "1,5", "0x10", "1.2.3", "--1", "1e", "\x01"}) {
         const std::string found = refusal(kHeader + "0,0,0,0,0,10\n1,2," + word + ",0,0,10\n");
         EXPECT_TRUE(found.starts_with("g.csv:3: ")) << found;

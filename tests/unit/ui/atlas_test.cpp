@@ -87,7 +87,7 @@ TEST(Atlas, DropsUnusedPaintings) {
     EXPECT_EQ(atlas.take_uploads().size(), 1U) << "added again";
 }
 
-TEST(Atlas, RefusesWhatIsLargerThanAHalf) {
+TEST(Atlas, RefusesAPictureLargerThanAHalf) {
     Atlas atlas(256);
     EXPECT_FALSE(atlas.place(1, painting(257, 10)));
     EXPECT_FALSE(atlas.place(2, painting(10, 129)));

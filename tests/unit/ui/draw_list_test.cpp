@@ -12,7 +12,7 @@ TEST(DrawList, MultipliesColoursByTheirAlpha) {
     EXPECT_EQ(packed({1.0F, 0.5F, 0.0F, 0.5F}), 0x80004080U);
 }
 
-TEST(DrawList, JoinsWhatOnePipelineDraws) {
+TEST(DrawList, JoinsShapesOfOnePipeline) {
     DrawList list;
     list.add_box({0, 0, 10, 10}, Colour{});
     list.add_box({10, 0, 10, 10}, Colour{});
@@ -23,7 +23,7 @@ TEST(DrawList, JoinsWhatOnePipelineDraws) {
     EXPECT_TRUE(list.runs()[1].from_atlas);
 }
 
-TEST(DrawList, DrawsNothingThatCannotBeSeen) {
+TEST(DrawList, SkipsInvisibleShapes) {
     DrawList list;
     list.add_picture({0, 0}, {0, 0, 5, 5}, 0.0F);
     list.add_line(std::array{vec2(1.0F)}, 2.0F, Colour{});
@@ -54,7 +54,7 @@ TEST(DrawList, RoundsADiscAndFadesItsEdge) {
     EXPECT_LT(farthest_px, 9.5F);
 }
 
-TEST(DrawList, HasAHashOfWhatItDraws) {
+TEST(DrawList, HasAHashOfItsContents) {
     DrawList one;
     DrawList other;
     one.add_box({0, 0, 10, 10}, Colour{});

@@ -43,7 +43,7 @@ TEST(Path, WalksAHalfCircleInTwoQuarters) {
     EXPECT_EQ((*steps)[2].to, vec2(10.0F, 0.0F));
 }
 
-TEST(Path, StaysFiniteWhereAnArcIsNextToNothing) {
+TEST(Path, StaysFiniteForATinyArc) {
     for (const char* words : {"M0 0 A1e-30 1e30 7 1 1 3 3", "M0 0 a1e-30 1e-30 0 0 1 1e-20 0",
                               "M0 0 a5 5 0 0 1 1e-30 0", "M1e6 -1e6 A1e6 0.001 45 1 0 -1e6 1e6"}) {
         const auto steps = read_path(words);
@@ -53,7 +53,7 @@ TEST(Path, StaysFiniteWhereAnArcIsNextToNothing) {
     }
 }
 
-TEST(Path, RejectsWhatItCannotRead) {
+TEST(Path, RejectsInvalidText) {
     for (const char* words : {"L1 2", "M1", "M1 x", "M0 0 C1 2 3 4 5", "M0 0 S1 2 3 4", "M0 0 A1 1 0 0",
                               "12 3", "M0 0 Z 4 4", "M1e99 0", "M2e6 0"}) {
         const auto refused = read_path(words);

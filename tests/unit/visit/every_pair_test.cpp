@@ -127,7 +127,7 @@ std::vector<Happening> events() {
     };
 }
 
-// What each button does beside what all do, which is all that most do here.
+// The effect of each button besides the one common to all buttons; most have only that.
 std::vector<Happening> buttons() {
     const std::string any =
         "attract -> choose, attract-left -> resume, left-alone+idle -> same, join+idle -> same";

@@ -54,7 +54,7 @@ TEST_F(Kiosk, TakesAVisitorFromAttractToAKeptPot) {
     EXPECT_EQ(visitor.count<effect::ForgetPot>(), 2);  // before the clay, and after the visitor
 }
 
-TEST_F(Kiosk, DecoratesWithWhatLiesOnTheLedge) {
+TEST_F(Kiosk, DecoratesWithTheToolsOfTheLedge) {
     visitor.decorates();
     const Decorating& decorating = visitor.state.decorating;
     EXPECT_TRUE(decorating.turns);
@@ -75,7 +75,7 @@ TEST_F(Kiosk, DecoratesWithWhatLiesOnTheLedge) {
     EXPECT_EQ(visitor.state.screen, Screen::kDecorate);
 }
 
-TEST_F(Kiosk, ClearsADrawingOnlyWhereThereIsOne) {
+TEST_F(Kiosk, ClearsOnlyAnExistingDrawing) {
     visitor.decorates().presses(Button::kClear);
     EXPECT_FALSE(visitor.caused<effect::ClearDrawing>());
     visitor.does(event::Drawn{1}).presses(Button::kClear);
@@ -96,7 +96,7 @@ TEST_F(Kiosk, AKeysBrushStaysDownUntilItIsLiftedOrSomethingElseIsDone) {
     EXPECT_FALSE(visitor.state.decorating.brush_down) << "a motif is there at once";
 }
 
-TEST_F(Kiosk, APotThatIsDecoratedByWhoWantsLessMotionRests) {
+TEST_F(Kiosk, APotRestsWhileItIsDecoratedWithReducedMotion) {
     visitor.starts_to_throw()
         .presses(Button::kLanguages)
         .presses(Button::kStill)
@@ -176,7 +176,7 @@ TEST_F(Kiosk, ShowsTheSameScreenWhileTimePassesAndHandsOnlyWork) {
     EXPECT_FALSE(seen == visitor.state);
 }
 
-TEST_F(Kiosk, ShowsTheGhostUntilTheVisitorActsAndAgainWhenNothingComesOfIt) {
+TEST_F(Kiosk, ShowsTheCueUntilTheVisitorActsAndAgainWithoutProgress) {
     visitor.starts_to_throw();
     EXPECT_TRUE(shows_hint(visitor.state, visitor.now_s, visitor.rules));
     visitor.waits(1.0).does(event::ClayTouched{});
@@ -199,7 +199,7 @@ TEST_F(Kiosk, LooksIntoThePotAndOutAgain) {
     EXPECT_FALSE(visitor.state.throwing.looks_in) << "new clay has nothing to look into";
 }
 
-TEST_F(Kiosk, WalksAlongTheShelfAsFarAsThereArePots) {
+TEST_F(Kiosk, PagesThroughTheWholeShelf) {
     visitor.does(event::Input{}).presses(Button::kShelfBefore, -4);
     EXPECT_EQ(visitor.state.shelf_first, 0);
     visitor.presses(Button::kShelfNext, 2);
@@ -264,7 +264,7 @@ TEST_F(Kiosk, SlowsTheWheelThatSpunThePotApart) {
     EXPECT_EQ(visitor.state.throwing.speed, Throwing().speed - 1) << "by no fault of the wheel's";
 }
 
-TEST_F(Kiosk, SaysWhatThePotGaveWayBy) {
+TEST_F(Kiosk, NamesTheCauseOfACollapse) {
     for (const Warning cause : {Warning::kThin, Warning::kWet, Warning::kFast}) {
         visitor = Visitor();
         visitor.starts_to_throw().does(event::Collapsed{cause});
@@ -307,7 +307,7 @@ TEST_F(Kiosk, GoesOnThrowingWhileTheForceRests) {
     EXPECT_FALSE(visitor.state.force_rests);
 }
 
-TEST_F(Kiosk, ShowsTheForcesToWhoAsksUntilTheVisitEnds) {
+TEST_F(Kiosk, ShowsTheForcesOnRequestUntilTheVisitEnds) {
     visitor.starts_to_throw().presses(Button::kForces);
     EXPECT_TRUE(visitor.state.comfort.forces);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);

@@ -13,7 +13,7 @@ Visitor kept(bool has_wifi = false, bool shares = true) {
     return visitor;
 }
 
-TEST(TakingHome, IsNotOfferedWhereTheHouseSharesNothing) {
+TEST(TakingHome, IsNotOfferedWithoutSharing) {
     const Visitor visitor = kept(false, false);
     EXPECT_EQ(visitor.state.keeping.phone, Phone::kNone);
     EXPECT_FALSE(visitor.caused<effect::Share>());
@@ -30,7 +30,7 @@ TEST(TakingHome, PacksOnceThePotIsSafeAndThenShowsItsCode) {
     EXPECT_EQ(spoken_key(visitor.state), "home.title");
 }
 
-TEST(TakingHome, JoinsTheWifiFirstWhereThereIsOne) {
+TEST(TakingHome, JoinsTheConfiguredWifiFirst) {
     Visitor visitor = kept(true);
     visitor.presses(Button::kOnWifi);
     EXPECT_EQ(visitor.state.keeping.phone, Phone::kPacking) << "there is no code yet";
@@ -66,7 +66,7 @@ TEST(TakingHome, ShowsNoCodeOfAnEarlierPot) {
     EXPECT_EQ(visitor.state.screen, Screen::kChoose);
 }
 
-TEST(TakingHome, SharesNothingThatCouldNotBeKept) {
+TEST(TakingHome, SharesOnlyKeptPots) {
     Visitor visitor(Rules{.shares = true});
     visitor.keeps().does(event::SaveFailed{});
     EXPECT_EQ(visitor.state.keeping.phone, Phone::kNone);

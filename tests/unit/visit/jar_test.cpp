@@ -21,7 +21,7 @@ struct Jar : testing::Test {
     Visitor visitor = a_visitor();
 };
 
-TEST_F(Jar, IsToldOfBeforeItIsBegun) {
+TEST_F(Jar, IsIntroducedBeforeItBegins) {
     visitor.chooses_a_jar(kJar);
     EXPECT_EQ(visitor.state.screen, Screen::kJarStart);
     EXPECT_EQ(spoken_key(visitor.state), "moon.title");

@@ -8,7 +8,7 @@
 namespace onggi::visit {
 namespace {
 
-TEST(Show, DoesTheNextStepForWhoAsks) {
+TEST(Show, DemonstratesTheNextStepOnRequest) {
     for (int done = 0; done <= kTeachingSteps; ++done) {
         Visitor visitor;
         visitor.starts_to_throw().does(event::Progress{done}).presses(Button::kShowMe);
@@ -74,7 +74,7 @@ TEST(Show, ComesByItselfAfterEightSecondsWithoutProgressOnceAStep) {
     EXPECT_EQ(visitor.count<effect::ShowStep>(), 2) << "who has tried may need it again";
 }
 
-TEST(Show, GoesThroughAllStepsForWhoOnlyLooks) {
+TEST(Show, DemonstratesAllStepsToAnIdleVisitor) {
     Visitor visitor;
     visitor.starts_to_throw();
     for (int step = 0; step < kTeachingSteps; ++step) {

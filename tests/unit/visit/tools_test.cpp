@@ -98,7 +98,7 @@ TEST(Tools, AreLaidDownForNewClayAndForThePotThatIsDone) {
     }
 }
 
-TEST(Tools, TheWheelShowsWhatIsHeldOrWithTheWireTheLesson) {
+TEST(Tools, DemonstrationsUseTheHeldToolOrWithTheWireTheLesson) {
     Visitor visitor;
     visitor.starts_to_throw().presses(Button::kTakeTool, number(tool::Tool::kRib)).presses(Button::kShowMe);
     EXPECT_EQ(visitor.state.throwing.shown, ShownStep::kDrawTool);

@@ -7,7 +7,7 @@
 namespace onggi::visit {
 namespace {
 
-TEST(Trim, IsOfferedWhereThereIsClayToSpare) {
+TEST(Trim, IsOfferedForAFootWithSpareClay) {
     Visitor visitor;
     visitor.fires().waits(5.0);
     EXPECT_EQ(visitor.state.screen, Screen::kDecorate) << "a thin foot is left alone";
@@ -19,7 +19,7 @@ TEST(Trim, IsOfferedWhereThereIsClayToSpare) {
     EXPECT_EQ(spoken_key(visitor.state), "trim.title");
 }
 
-TEST(Trim, TellsWhatWasTakenAndGoesOnWithThat) {
+TEST(Trim, ReportsTheRemovedMassAndContinuesWithThatPot) {
     Visitor visitor;
     visitor.fires().does(event::ThickFoot{}).presses(Button::kSkip);
     visitor.does(event::Trimmed{38});

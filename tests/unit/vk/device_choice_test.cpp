@@ -34,7 +34,7 @@ TEST(DeviceChoice, ObeysAnIndexOrAPartOfANameInAnyCase) {
     EXPECT_EQ(*choose(machine(), "intel"), 1U);
 }
 
-TEST(DeviceChoice, RefusesARequestThatFitsNoneAndNamesThoseThereAre) {
+TEST(DeviceChoice, RefusesAnUnknownRequestAndListsTheDevices) {
     for (const char* request : {"7", "matrox", "amd"}) {
         const auto chosen = choose(machine(), request);
         ASSERT_FALSE(chosen) << request;
@@ -45,7 +45,7 @@ TEST(DeviceChoice, RefusesARequestThatFitsNoneAndNamesThoseThereAre) {
     }
 }
 
-TEST(DeviceChoice, SaysHowToMendThatThereIsNone) {
+TEST(DeviceChoice, StatesTheRemedyIfThereIsNoDevice) {
     const auto none = choose({}, "");
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().kind, ErrorKind::kSystemLacks);
@@ -64,7 +64,7 @@ TEST(DeviceChoice, TakesTheProcessorFirstWhereItIsAskedTo) {
     EXPECT_EQ(*choose(devices, "", {.cpu_first = true}), 1U) << "there is none: the best of the others";
 }
 
-TEST(DeviceChoice, AvoidsWhatHasFailedWhateverTheRequestWhileThereIsAnother) {
+TEST(DeviceChoice, AvoidsAFailedDeviceForAnyRequestWhileThereIsAnother) {
     EXPECT_EQ(*choose(machine(), "", {.avoided = {2}}), 1U);
     EXPECT_EQ(*choose(machine(), "nvidia", {.avoided = {2}}), 1U);
     EXPECT_EQ(*choose(machine(), "2", {.avoided = {2, 1}}), 0U);
@@ -76,7 +76,7 @@ TEST(DeviceChoice, AvoidsWhatHasFailedWhateverTheRequestWhileThereIsAnother) {
     EXPECT_FALSE(choose(machine(), "matrox", {.avoids_gpus = true})) << "a request for none stays an error";
 }
 
-TEST(DeviceDescriptions, SayWhatThisMachineHasAndWhichIsChosen) {
+TEST(DeviceDescriptions, ListTheMachinesDevicesAndTheChosenOne) {
     const auto devices = describe_devices("");
     ASSERT_TRUE(devices) << devices.error().message;
     ASSERT_FALSE(devices->empty());
@@ -89,7 +89,7 @@ TEST(DeviceDescriptions, SayWhatThisMachineHasAndWhichIsChosen) {
     EXPECT_EQ(chosen, 1);
 }
 
-TEST(VersionName, IsThatOfTheSpecification) {
+TEST(VersionName, MatchesTheSpecification) {
     EXPECT_EQ(version_name(VK_MAKE_API_VERSION(0, 1, 3, 230)), "1.3.230");
 }
 

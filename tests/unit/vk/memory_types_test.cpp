@@ -42,7 +42,7 @@ TEST(MemoryTypes, AreOnlyThoseThatAResourceMayHave) {
     EXPECT_TRUE(memory_types(kDiscrete, 0b0001, MemoryUse::kUpload).empty());
 }
 
-TEST(MemoryTypes, LeaveOutWhatAnExtensionWouldHaveToBeAskedFor) {
+TEST(MemoryTypes, ExcludeTypesThatNeedAnExtension) {
     constexpr VkMemoryPropertyFlags kDeviceCoherent = VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD;
     const auto memory = memory_of({kLocal | kDeviceCoherent, kLocal, kHost | kDeviceCoherent, kHost});
     EXPECT_EQ(memory_types(memory, kAll, MemoryUse::kDevice), (Types{1, 3}));

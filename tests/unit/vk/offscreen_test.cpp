@@ -47,7 +47,7 @@ TEST_F(OnADevice, GivesBackTheColourThatWasClearedFrameAfterFrame) {
     }
 }
 
-TEST_F(OnADevice, KeepsWhatTheHostWritesIntoABuffer) {
+TEST_F(OnADevice, KeepsTheHostsWritesToABuffer) {
     auto buffer =
         Buffer::create(*device_, {.name = "test", .size = 16, .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
     ASSERT_TRUE(buffer);
@@ -60,7 +60,7 @@ TEST_F(OnADevice, KeepsWhatTheHostWritesIntoABuffer) {
     EXPECT_NE(moved.mapped(), nullptr);
 }
 
-TEST_F(OnADevice, HearsWhatTheValidationLayerSays) {
+TEST_F(OnADevice, ReceivesMessagesOfTheValidationLayer) {
     VkBufferCreateInfo wrong{};
     wrong.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
     wrong.size = 0;  // not allowed

@@ -12,7 +12,7 @@ TEST(TicksBetween, CountThroughTheClocksNewBeginning) {
     EXPECT_EQ(ticks_between(0xFFFF'FFFF'FFFF'FFFF, 1, 64), 2U);
 }
 
-TEST(TicksBetween, LeaveOutBitsThatMeanNothing) {
+TEST(TicksBetween, IgnoreInvalidBits) {
     EXPECT_EQ(ticks_between(0xABCD'0000'0000'0010, 0x1234'0000'0000'0030, 36), 0x20U);
 }
 

@@ -85,7 +85,7 @@ TEST_F(ForAWindow, TheBestDrawsAndNoOtherIsAskedAboutIt) {
     EXPECT_EQ(std::count(asked.begin(), asked.end(), devices_[0]), 0);
 }
 
-TEST_F(ForAWindow, AGpuThatIsAvoidedIsAskedNothing) {
+TEST_F(ForAWindow, AnAvoidedGpuIsNotQueried) {
     const auto chosen = choose_with({.avoids_gpus = true});
     ASSERT_TRUE(chosen) << chosen.error().message;
     EXPECT_EQ(chosen->handle, devices_[0]);
@@ -93,7 +93,7 @@ TEST_F(ForAWindow, AGpuThatIsAvoidedIsAskedNothing) {
         << "its driver may be what the program fell over";
 }
 
-TEST_F(ForAWindow, WhatCannotPresentLeavesItToTheNext) {
+TEST_F(ForAWindow, ADeviceThatCannotPresentIsSkipped) {
     presents = {devices_[0]};
     const auto chosen = choose_with({});
     ASSERT_TRUE(chosen) << chosen.error().message;
@@ -101,7 +101,7 @@ TEST_F(ForAWindow, WhatCannotPresentLeavesItToTheNext) {
     EXPECT_EQ(asked.front(), gpu);
 }
 
-TEST_F(ForAWindow, WhereNonePresentsTheAnswerNamesThemAll) {
+TEST_F(ForAWindow, IfNoDevicePresentsTheErrorNamesThemAll) {
     presents.clear();
     const auto chosen = choose_with({});
     ASSERT_FALSE(chosen);

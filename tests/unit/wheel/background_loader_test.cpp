@@ -26,7 +26,7 @@ std::vector<BackgroundCamera> copies(const std::vector<const BackgroundCamera*>&
     return copied;
 }
 
-TEST(BackgroundLoader, BringsWhatAPortraitWantsToASceneThatWasOpenedForALandscape) {
+TEST(BackgroundLoader, LoadsPortraitBackgroundsForASceneOpenedInLandscape) {
     OpenedScene opened = open_scene({}, 1280, 720);
     ASSERT_EQ(opened.lack, "");
     WheelScene& scene = *opened.scene;
@@ -62,7 +62,7 @@ TEST(BackgroundLoader, BringsWhatAPortraitWantsToASceneThatWasOpenedForALandscap
     EXPECT_TRUE(scene.missing_backgrounds(720, 1280).empty());
 }
 
-TEST(BackgroundLoader, SaysWhatItCouldNotReadAndBringsTheRest) {
+TEST(BackgroundLoader, ReportsUnreadableBackgroundsAndLoadsTheOthers) {
     auto workshop = load_workshop(kOurs);
     ASSERT_TRUE(workshop) << workshop.error().message;
     const auto shared = std::make_shared<const Workshop>(std::move(*workshop));
@@ -78,7 +78,7 @@ TEST(BackgroundLoader, SaysWhatItCouldNotReadAndBringsTheRest) {
     EXPECT_NE(loaded->lacks[0].find("throw_gone_key.jpg"), std::string::npos) << loaded->lacks[0];
 }
 
-TEST(BackgroundLoader, GoesAwayInTheMiddleOfItsWork) {
+TEST(BackgroundLoader, CanBeDestroyedWhileItLoads) {
     auto workshop = load_workshop(kOurs);
     ASSERT_TRUE(workshop);
     const auto shared = std::make_shared<const Workshop>(std::move(*workshop));

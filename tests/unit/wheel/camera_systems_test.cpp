@@ -35,7 +35,7 @@ class CameraOfARoom : public testing::Test {
     render::Camera place_;  // where it began
 };
 
-TEST_F(CameraOfARoom, StaysUntilTheNextViewIsReadyAndIsThenThereAtOnce) {
+TEST_F(CameraOfARoom, StaysUntilTheNextViewIsReadyThenCutsToIt) {
     scene().look_at(View::kLookingIn);
     render::Camera next;
     for (int i = 0; i < 20; ++i) {

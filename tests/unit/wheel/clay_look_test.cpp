@@ -26,7 +26,7 @@ TEST(ClayLook, ShinesOnlyWetOrGlazed) {
     }
 }
 
-TEST(ClayLook, ReflectsNoMoreThanThereIsAndTellsBodiesApart) {
+TEST(ClayLook, ReflectsLessThanAllLightAndDiffersBetweenBodies) {
     for (const Firing stage : {Firing::kWet, Firing::kDry, Firing::kBisque, Firing::kGlaze}) {
         for (const ClayBody body : kBodies) {
             const vec3 albedo = clay_material(body, stage).albedo;

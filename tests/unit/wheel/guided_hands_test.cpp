@@ -119,7 +119,7 @@ TEST_F(GuidedHands, ReachBehindAShoulderWithNoArmThroughIt) {
     EXPECT_EQ(touch_of(works(cup_, Grip::kWall, {60.0, 40.0})[1]).x, 52.0) << "to the wall where it can";
 }
 
-TEST_F(GuidedHands, HangOffTheClayInThePoseOfWhatATouchWouldBegin) {
+TEST_F(GuidedHands, HoverInThePoseThatATouchWouldBegin) {
     for (const pot::Pot* shape : {&lump_, &cup_}) {
         for (double x = -130.0; x <= 130.0; x += 3.0) {
             for (double y = 0.0; y < 170.0; y += 3.0) {

@@ -106,7 +106,7 @@ TEST_F(ABrokenScreen, GivesUpOnADeviceThatIsLostAgainAndAgain) {
     EXPECT_NE(last.error().message.find("VK_ERROR_DEVICE_LOST"), std::string::npos) << last.error().message;
 }
 
-TEST(AScreenOnTheLowestStep, GoesOnWhereThereIsNoMemoryForAWhile) {
+TEST(AScreenOnTheLowestStep, SurvivesALackOfMemory) {
     auto view =
         LiveView::open({.width = 160, .height = 120, .headless = true, .validation = true, .plain = true});
     ASSERT_TRUE(view) << view.error().message;
@@ -123,7 +123,7 @@ TEST(AScreenOnTheLowestStep, GoesOnWhereThereIsNoMemoryForAWhile) {
 }
 
 // A software driver acts as a slow GPU.
-TEST(ASlowGpu, SettlesInViewByOneChangeAndBeginsThereTheNextTime) {
+TEST(ASlowGpu, SettlesAfterOneChangeInViewAndStartsThereNextTime) {
     const LiveViewOptions options{
         .width = 640, .height = 480, .headless = true, .backend = render::BackendChoice::kGpu};
     const pot::Pot pot{.outer_mm = std::vector<float>(100, 60.0F), .height_mm = 200.0};
@@ -190,7 +190,7 @@ TEST_F(ABrokenScreen, LeavesOtherErrorsAsTheyAre) {
     EXPECT_EQ(view_->mended(), 0);
 }
 
-TEST_F(ABrokenScreen, MeasuresWhatAFrameTookOnTheDevice) {
+TEST_F(ABrokenScreen, MeasuresTheDevicesTimeOfAFrame) {
     draw_well();
     draw_well();
     EXPECT_GT(view_->frame_stats().device_ms, 0.0);

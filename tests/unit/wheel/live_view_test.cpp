@@ -71,7 +71,7 @@ TEST(LiveView, ShowsTheSamePictureAfterAnotherAndBack) {
     EXPECT_EQ(picture(lump), first) << "something of the frame between was left over";
 }
 
-TEST(LiveView, SaysThatThereIsNoDisplay) {
+TEST(LiveView, ReportsAMissingDisplay) {
     ::unsetenv("DISPLAY");
     ::unsetenv("WAYLAND_DISPLAY");
     const auto view = LiveView::open({});

@@ -74,7 +74,7 @@ TEST_F(ARoomModel, ShowsItsWallsFromBothSidesAndLetsThemCastNoShadow) {
     EXPECT_FALSE(wall.casts_shadow);
 }
 
-TEST_F(ARoomModel, IsSeenFromOurCamerasInOurLightWhereItHasNone) {
+TEST_F(ARoomModel, UsesTheWorkshopsCamerasAndLightIfItHasNone) {
     OpenedScene opened = open_scene(sheet("wall", 3.0F), 1280, 720);
     EXPECT_EQ(opened.lack, "");
     const pot::Pot pot{.outer_mm = std::vector<float>(100, 50.0F), .height_mm = 200.0};
@@ -85,7 +85,7 @@ TEST_F(ARoomModel, IsSeenFromOurCamerasInOurLightWhereItHasNone) {
     EXPECT_EQ(scene.still_life->parts.size(), 3U) << "the wall, and our wheel and pan";
 }
 
-TEST_F(ARoomModel, RejectsWhatIsNoRoom) {
+TEST_F(ARoomModel, RejectsAModelThatIsNotARoom) {
     const auto refusal = [](const fs::path& file) {
         const auto room = load_room_model(file);
         EXPECT_FALSE(room);

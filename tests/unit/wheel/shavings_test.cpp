@@ -69,7 +69,7 @@ TEST_F(AShaving, StaysOnAHeadThatStandsStill) {
     EXPECT_EQ(shavings_.places(), lies);
 }
 
-TEST_F(AShaving, IsGoneWithWhatWasTakenBackOrPutAway) {
+TEST_F(AShaving, DisappearsWithAnUndoAndWithTheTrimmer) {
     pass(10, kCutMm3);
     sight_.shaved_mm3 = 0.5 * kCutMm3;
     pass(1);
@@ -88,7 +88,7 @@ TEST_F(AShaving, IsOneOfFewHoweverMuchIsCut) {
     EXPECT_LE(shavings_.places().size(), Shavings::kMost);
 }
 
-TEST_F(AShaving, DoesNotFlyForWhoAskedForLessMotion) {
+TEST_F(AShaving, DoesNotFlyWithReducedMotion) {
     moves_less_ = true;
     pass(1, kCutMm3);
     const auto lies = shavings_.places();

@@ -12,7 +12,7 @@
 namespace onggi::wheel {
 namespace {
 
-TEST(ToolModels, AreAllThereRightAndLeft) {
+TEST(ToolModels, AreCompleteForBothHands) {
     const auto library = load_tool_models(test::in_checkout("assets/tools"));
     ASSERT_TRUE(library) << library.error().message;
     ASSERT_EQ((*library)->size(), 2 * kToolModels);
@@ -78,7 +78,7 @@ TEST(ToolModels, HaveNormalsThatFaceAsTheirTrianglesDoAlsoMirrored) {
     }
 }
 
-TEST(ToolModels, RejectsAFolderWithoutThemAndAFileThatIsNone) {
+TEST(ToolModels, RejectsAFolderWithoutModelsAndAnInvalidFile) {
     test::TemporaryFolder folder;
     auto library = load_tool_models(folder.path());
     ASSERT_FALSE(library);

@@ -60,7 +60,7 @@ TEST(ToolPose, GivesEachSideOfThePotItsOwnHand) {
         << "the left hand presses to the right, from inside";
 }
 
-TEST(ToolPose, NeverStandsBetweenTheVisitorAndWhatIsTouched) {
+TEST(ToolPose, NeverHidesTheTouchedPlaceFromTheVisitor) {
     for (int degree = 0; degree < 360; degree += 5) {
         const double angle = degree * 3.14159265358979 / 180.0;
         DrawnHand hand = outside();
@@ -110,7 +110,7 @@ TEST(ToolPose, LeansWithTheWall) {
     EXPECT_GT(way_out_of(settled(hand).picture().tools.at(0)).y, -0.55F) << "no wrist bends further";
 }
 
-TEST(ToolPose, KeepsWhatTrimsAFootAboveTheWheel) {
+TEST(ToolPose, KeepsATrimmerAboveTheWheel) {
     DrawnHand hand = outside();
     hand.tool = tool::Tool::kTrimmer;
     hand.wall_lean = 1.5;  // of a bowl, right above its foot
@@ -122,7 +122,7 @@ TEST(ToolPose, KeepsWhatTrimsAFootAboveTheWheel) {
     }
 }
 
-TEST(ToolPose, HoldsWhatItWorksWith) {
+TEST(ToolPose, HoldsItsTool) {
     DrawnHand hand = outside();
     hand.tool = tool::Tool::kRib;
     const ToolPicture rib = settled(hand).picture();
@@ -188,7 +188,7 @@ TEST(ToolPose, ComesAndGoesInsteadOfAppearing) {
     EXPECT_TRUE(pose.picture().shadows.empty());
 }
 
-TEST(ToolPose, KeepsItsHandNearTheAxisWhereSidesMeanNothing) {
+TEST(ToolPose, KeepsItsHandNearTheAxis) {
     ToolPose pose = settled(outside());
     DrawnHand middle = outside();
     for (const double x : {10.0, 1.0, -1.0, -10.0, 0.0}) {
@@ -257,7 +257,7 @@ TEST(ToolPose, HoldsANarrowRimWithFingerTipsAndNoStick) {
     EXPECT_EQ(settled(hand).picture().tools.at(0).model, ToolModel::kStick);
 }
 
-TEST(ToolPose, CastsAShadowWithoutAModelOfIts) {
+TEST(ToolPose, CastsAShadowWithoutAModel) {
     for (const render::Sphere& ball : settled(outside()).picture().shadows) {
         EXPECT_GT(ball.centre_mm.x - ball.radius_mm, 69.0F) << "the stand-in reaches into the clay";
     }

@@ -65,7 +65,7 @@ TEST_F(TheWheelScene, TurnsTheClayWithTheWheel) {
     EXPECT_EQ(show(shown_).lathe->turn, vec2(0.6F, 0.8F));
 }
 
-TEST_F(TheWheelScene, ComesOutOfItsEntitiesAndNowhereElse) {
+TEST_F(TheWheelScene, IsDrawnOnlyFromItsEntities) {
     ecs::Registry& registry = scene_.registry();
     registry.get<Clay>(scene_.clay()).edge_rounding_mm = 0.9F;
     EXPECT_EQ(show(shown_).lathe->edge_rounding_mm, 0.9F);
@@ -82,7 +82,7 @@ TEST_F(TheWheelScene, GathersTheStillLifeOnce) {
     EXPECT_EQ(show(shown_).still_life, first);
 }
 
-TEST_F(TheWheelScene, ShowsNothingForAPotWithoutElements) {
+TEST_F(TheWheelScene, ShowsNoPotWithoutElements) {
     pot_.outer_mm = {};
     EXPECT_FALSE(show(shown_).lathe);
 }

@@ -52,7 +52,7 @@ class WorkshopFiles : public testing::Test {
     const test::TemporaryFolder folder_;
 };
 
-TEST_F(WorkshopFiles, SayWhereTheCamerasStandAndWhatLightThereIs) {
+TEST_F(WorkshopFiles, DescribeTheCamerasAndTheLight) {
     const auto workshop = load_workshop(kOurs);
     ASSERT_TRUE(workshop) << workshop.error().message;
     const BackgroundCamera* camera = workshop->camera_for(View::kThrowing, 1280, 720);
@@ -94,7 +94,7 @@ TEST_F(WorkshopFiles, ChooseTheLargerPhotographsForALargePictureWhereTheRoomHasS
     EXPECT_EQ(workshop->cameras.size(), 6U);
 }
 
-TEST_F(WorkshopFiles, RejectsACameraThatIsLargerThanNone) {
+TEST_F(WorkshopFiles, RejectsALargerVariantOfAMissingCamera) {
     put_photograph("throw_16x9_x2");
     spoil("cameras.json", "\"larger_than\": \"throw_16x9\"", "\"larger_than\": \"throw_1x1\"");
     expect_refused(
@@ -141,7 +141,7 @@ TEST_F(WorkshopFiles, RejectsAMissingFile) {
     expect_refused("cameras.json: no such file");
 }
 
-TEST_F(WorkshopFiles, RejectsWhatIsNoJson) {
+TEST_F(WorkshopFiles, RejectsInvalidJson) {
     for (const char* text : {"", "{", "[1, 2]", "\xFF\xFE", "{\"cameras\": 1} more"}) {
         put("cameras.json", text);
         expect_refused("cameras.json: ");
@@ -168,7 +168,7 @@ TEST_F(WorkshopFiles, RejectsSizesThatNoBackgroundHas) {
     restore();
 }
 
-TEST_F(WorkshopFiles, RejectsACameraThatSeesNothing) {
+TEST_F(WorkshopFiles, RejectsACameraThatLooksStraightUpOrDown) {
     spoil("cameras.json", "[0, 285, 805]", "[0, 285, 0]");
     expect_refused("cameras.throw_16x9: expected a camera that does not look straight up or down");
 }
@@ -183,7 +183,7 @@ TEST_F(WorkshopFiles, RejectsARoomWithoutAThrowingCamera) {
     expect_refused("cameras: expected one whose name begins with throw, found none");
 }
 
-TEST_F(WorkshopFiles, RejectsLightThatIsNone) {
+TEST_F(WorkshopFiles, RejectsInvalidLight) {
     spoil("light.json", "-0.71145", "-7.1145");
     expect_refused("light.json: key.towards_light: expected a number from -1 to 1, found -7.1145");
     spoil("light.json", "-7.1145", "-0.1");
@@ -222,7 +222,7 @@ TEST_F(WorkshopFiles, ThatAreSpoiledGiveWayToTheProgramsOwnRoomAndLeaveAReason) 
     EXPECT_NE(opened.scene->apply({.pot = &pot}, 640, 480).background, nullptr);
 }
 
-TEST_F(WorkshopFiles, ThatAreSpoiledWhereThereIsNoOtherRoomLeaveTheSmallStillLifeAndAReason) {
+TEST_F(WorkshopFiles, ThatAreDamagedLeaveTheSmallStillLifeAndAReason) {
     put("cameras.json", "{");
     setenv("ONGGI_ASSETS", folder_.path().c_str(), 1);  // which has none in it
     OpenedScene opened = open_scene(folder_.path(), 640, 480);

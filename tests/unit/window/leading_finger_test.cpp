@@ -81,7 +81,7 @@ TEST_F(AScreen, WaitsBeforeItTakesAFingerForAHandThatLies) {
     EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down");
 }
 
-TEST(PointerArrow, IsShownWhileAMouseIsMovedAndForNothingElse) {
+TEST(PointerArrow, IsShownOnlyWhileAMouseMoves) {
     PointerArrow arrow(false);
     EXPECT_FALSE(arrow.is_shown(0.0)) << "a touch kiosk has none from the start";
     arrow.moved(640.0, 360.0, 1.0);

@@ -27,7 +27,7 @@ constexpr double kLeapMm = 120.0;
 constexpr double kRestsAfterS = 4.0;
 constexpr dvec2 kRestingMm{230.0, 45.0};  // over the pan's edge, away from all clay
 constexpr double kBesideMm = 15.0;
-// Limits the queue if keys arrive faster than the hands work.
+// Limits the queue, in case keys arrive faster than the hands work.
 constexpr std::size_t kMostWaiting = 3;
 constexpr std::array kToolRadiiMm{7.0, 12.0, 20.0};
 constexpr std::array kLoopRadiiMm{4.0, 7.0, 11.0};
@@ -205,7 +205,7 @@ dvec2 KioskFinger::finger_now(const pot::Pot& shape, double dt_s) {
     return help_.drawn(finger_mm_);
 }
 
-// Separates two touches by one frame without pressing, or the clay would take them for one touch.
+// Separates two touches by one frame without pressing; otherwise the clay would take them for one.
 bool KioskFinger::presses_now() {
     const bool presses = presser_ != Presser::kNobody || touch_.presses();
     const bool is_another = pressing_ && *pressing_ != touches_;
@@ -213,7 +213,7 @@ bool KioskFinger::presses_now() {
     return pressing_.has_value();
 }
 
-// A finger drags the wire's line, a key moves it; neither presses the clay.
+// A finger drags the wire's line, and a key moves it. Neither presses the clay.
 void KioskFinger::hold_wire(const pot::Pot& shape) {
     if (!wire_mm_) wire_mm_ = shape.height_mm - kWireBelowRimMm;
     if (presser_ != Presser::kNobody) wire_mm_ = finger_mm_.y;

@@ -1,6 +1,6 @@
-// Turns pointer, gamepad, keys, buttons and the ledge's settings into the request for the tool: a finger on
-// the upright plane through the axis, which the skilled hands follow in the clay while it presses. Pure
-// state, no window and no clock, so that tests can play the visitor. Main thread. mm, s.
+// Converts pointer, gamepad, keys, buttons and the ledge's settings to the request for the tool: a finger on
+// the upright plane through the axis. While it presses, the skilled hands follow it in the clay. Pure state,
+// no window and no clock, so that tests can play the visitor. Main thread. mm, s.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class OutlineHelp {
     void set(std::span<const vec2> radius_height, double strength);
     // Fades the help in and out, so that the change is not felt.
     void pass_time(double dt_s);
-    // Returns the corrected finger. It is never farther from the outline than the finger, nor on its other
+    // Returns the corrected finger, which is never farther from the outline than the finger, nor on its other
     // side.
     [[nodiscard]] dvec2 drawn(const dvec2& finger_mm) const;
 
@@ -40,7 +40,7 @@ class OutlineHelp {
     double now_ = 0.0;
 };
 
-// What is in the hand, in the steps of the ledge.
+// The hand's tool, in the steps of the ledge.
 struct HeldTool {
     tool::Tool tool = tool::Tool::kHand;
     int size = 2;   // 1 to 3

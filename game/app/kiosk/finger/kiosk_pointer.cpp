@@ -9,8 +9,8 @@ namespace {
 
 using Kind = PointerNews::Kind;
 
-constexpr float kLifePx = 24.0F;  // vibration moves a mouse by less; it is no visitor
-// A single jump is no visitor either: display servers put the pointer of a new window at the last touch.
+constexpr float kLifePx = 24.0F;  // vibration moves a mouse by less, so smaller motion is not a visitor
+// A single jump does not count either: display servers put the pointer of a new window at the last touch.
 constexpr double kOnItsWayS = 2.0;
 // A landing finger is first reported as a jump of the mouse; if it lands on a target, only the press counts.
 constexpr double kLandingS = 0.08;
@@ -73,7 +73,7 @@ void KioskPointer::look_at(const screens::Composition* composition, int screen_k
     composition_ = composition;
     right_to_left_ = right_to_left;
     if (screen_key == screen_key_) {
-        // Buttons may have been added or removed: pressed target and ring keep theirs.
+        // If buttons were added or removed, the pressed target and the ring stay on theirs.
         pressed_ = place_of(pressed_meaning_, pressed_);
         const int ring = place_of(focus_meaning_, focus_);
         focus_ = ring >= 0 ? ring : std::min(focus_, target_count() - 1);
@@ -101,7 +101,7 @@ void KioskPointer::press_focus(std::vector<PointerNews>& news) const {
 void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news) {
     using window::Key;
     if (!key.pressed) return;
-    // A press is reported as such, without kLife, which could close the panel it is meant for.
+    // A press is not reported as kLife, which could close the panel that it is meant for.
     const bool takes =
         key.key == Key::kF1 || ((key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0);
     if (!takes) news.push_back({.kind = Kind::kLife, .value = 1});

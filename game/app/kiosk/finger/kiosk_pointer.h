@@ -19,7 +19,7 @@ struct PointerNews {
         kPressed,      // a target, on release or by a repeat; `button` and `value`
         kFingerDown,   // on the scene, not on a target
         kFingerMoved,  // while the finger is down
-        kFingerUp,     // lifted, or ended because it cannot be a finger any more
+        kFingerUp,     // lifted, or ended because it cannot be a finger
         kHovered,      // the mouse moved with no button held
         kNudged,       // an arrow key without a focus ring; `button` is one of the pad's
         kPutDown,      // Enter without a focus ring

@@ -1,5 +1,5 @@
 // Restores an interrupted visit from its file on the disk (visit_journal.h) when the program starts, by
-// replaying it tick by tick. Any one thread at a time but the haptic one and the frame's; blocks.
+// replaying it tick by tick. One thread at a time, but neither the haptic thread nor the frame's; blocks.
 #pragma once
 
 #include <cstdint>
@@ -21,20 +21,20 @@ class InterruptedSession {
     InterruptedSession& operator=(const InterruptedSession&) = delete;
 
     // Searches for the file and renames it to FOLDER/left-over.onggi, because new visits may be interrupted
-    // too. `start` is the start of this kiosk's lumps; a session of another clay or rate is refused. Appends
-    // a line to `remarks` for each damaged or dropped file. Returns null if there is no file.
+    // too. `start` is the start of this kiosk's lumps; a session with another clay or rate is refused.
+    // Appends a line to `remarks` for each damaged or dropped file. Returns null if there is no file.
     static std::unique_ptr<InterruptedSession> find(const std::filesystem::path& folder,
                                                     const haptic::HapticState& start,
                                                     const haptic::HapticParameters& parameters,
                                                     std::vector<std::string>& remarks);
 
-    // Reads one session that begins with the lump `start`. kBadInput: the file is no session, or of another
-    // clay or rate.
+    // Reads one session that begins with the lump `start`. kBadInput: the file is not a session, or has
+    // another clay or rate.
     static Result<std::unique_ptr<InterruptedSession>> read(const std::filesystem::path& file,
                                                             const haptic::HapticState& start,
                                                             const haptic::HapticParameters& parameters,
                                                             const std::filesystem::path& folder);
-    // A session without ticks, for a lump that had not been touched.
+    // A session without ticks, for a lump that was never touched.
     static std::unique_ptr<InterruptedSession> of_nothing(const haptic::HapticState& start,
                                                           const haptic::HapticParameters& parameters,
                                                           const std::filesystem::path& folder);
@@ -46,7 +46,7 @@ class InterruptedSession {
     [[nodiscard]] haptic::History& history() { return history_; }
     // The session's duration, for the log.
     [[nodiscard]] double seconds() const { return seconds_; }
-    // Deletes the file, when the visit continues in another or is not wanted.
+    // Deletes the file, once the visit continues in another file or is declined.
     static void remove(const std::filesystem::path& folder) noexcept;
 
   private:

@@ -87,7 +87,7 @@ Result<haptic::History> JarKeeping::join(haptic::History& second, const JarJoin&
     return haptic::History(haptic::HapticState(std::move(*jar)), parameters_, {.aside = folder_});
 }
 
-// Its session stays on the disk until the new journal has caught up, or another replaces it.
+// Its session stays on the disk until the new journal has caught up or another session replaces it.
 haptic::History JarKeeping::take_back() {
     std::unique_ptr<haptic::History>& newest = second_ ? second_ : first_;
     haptic::History back(std::move(*newest));

@@ -33,47 +33,47 @@ class JarKeeping {
           lump_(lump),
           parameters_(parameters) {}
 
-    // Begins a jar modelled on that museum pot. begin(), note() and set_aside() return the disk's errors, but
-    // take effect all the same.
+    // Begins a jar modelled on that museum's pot. begin(), note() and set_aside() return the disk's errors,
+    // but take effect all the same.
     Result<void> begin(std::string target);
-    // Records that another clay of the jar is on the wheel.
+    // Records that another stage's clay is on the wheel.
     Result<void> note(JarStage stage);
-    // Sets the first bowl aside and writes it to the disk, as no journal has it from now on.
+    // Sets the first bowl aside and writes it to the disk, because from now on no journal contains it.
     Result<void> set_aside(haptic::History&& bowl);
     [[nodiscard]] bool has_bowl() const { return first_ != nullptr; }
     // Precondition: has_bowl().
     [[nodiscard]] const haptic::HapticState& bowl() const { return first_->state(); }
-    // The distance between the rims of the two, mm. kBadInput as join_pots(). Precondition: has_bowl().
+    // The distance between the two rims, mm. kBadInput: see join_pots(). Precondition: has_bowl().
     [[nodiscard]] Result<double> rims_mm(const clay::StudioClay& second, double mouth_mm) const;
-    // Returns the history of the jar, which begins with the joined pot, and keeps the second bowl's. Errors
-    // as rims_mm(), without effect. Precondition: has_bowl().
+    // Joins the bowls: returns the jar's history, which begins with the joined pot, and keeps the second
+    // bowl's. Errors as rims_mm(), without effect. Precondition: has_bowl().
     [[nodiscard]] Result<haptic::History> join(haptic::History& second, const JarJoin& join);
-    // The bowl's history that may be taken back: the first bowl's before the two are joined, the second one's
-    // after that; null if that bowl may not.
+    // The history of the bowl that undo may restore: the first bowl's before the joining, the second one's
+    // after it; null if that bowl cannot be restored.
     [[nodiscard]] const haptic::History* to_take_back(bool is_second) const {
         return is_second == (second_ != nullptr) ? (is_second ? second_ : first_).get() : nullptr;
     }
     // Returns that bowl's history, to continue it. Precondition: it may be taken back.
     [[nodiscard]] haptic::History take_back();
-    // Drops the jar on the wheel; the first bowl waits for another second one.
+    // Drops the jar on the wheel; the first bowl waits for a new second one.
     Result<void> drop_second();
     // Deletes the jar's state, also on the disk.
     void forget();
 
     [[nodiscard]] JarStage stage() const { return stage_; }
     [[nodiscard]] const std::string& target() const { return target_; }
-    // The sessions of the joined jar's bowls, to keep with its own session, which begins where theirs end.
-    // Empty if it is not joined.
+    // The sessions of the joined jar's bowls, to keep beside the jar's own session, which begins where they
+    // end. Empty if the bowls are not joined.
     [[nodiscard]] std::vector<std::filesystem::path> sessions() const;
 
     // Reads the state of an interrupted visit; appends a line to `remarks` for damaged files.
     void look(std::vector<std::string>& remarks);
-    // Replays up to `ticks` more ticks of its bowls. Returns true while there are more. Error: a bowl cannot
-    // be replayed, and the jar is dropped.
+    // Replays up to `ticks` more ticks of the bowls. Returns true while there are more. Error: a bowl cannot
+    // be replayed; the jar is then dropped.
     Result<bool> restore(int ticks);
-    // The clay on its wheel where there is no journal of that, or null.
+    // The clay on the jar's wheel if it has no journal; otherwise null.
     [[nodiscard]] std::unique_ptr<InterruptedSession> left_over() const;
-    // The start of the clay on its wheel.
+    // The state with which the clay on the jar's wheel began.
     [[nodiscard]] const haptic::HapticState& start() const { return jar_start_ ? *jar_start_ : lump_; }
 
   private:

@@ -139,7 +139,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     for (const fs::path& entry : list_folder(folder_ / today).entries)
         number = std::max(number, number_of(entry.filename().string()) + 1);
     const auto place_of = [&] { return folder_ / today / fmt::format("pot-{:03}", number); };
-    // A failing disk may have listed only some of them.
+    // If the disk fails, the listing may be incomplete.
     while (fs::exists(place_of(), error))
         ++number;
 
@@ -164,7 +164,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
             return written.error();
     }
     {
-        // Pixels and solid are freed before the next pictures and solid are made.
+        // Frees the picture's pixels and the solid before the GLB's pictures and solid are made.
         const asset::Image portrait = straight_picture(std::move(pot.portrait));
         if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
         const auto print = exporter::pot_file(*pot.clay, clay::Firing::kGlaze);

@@ -1,6 +1,5 @@
-// The day's shelf on the disk: a folder per day, a folder per pot, five files in each. A pot is written
-// completely or not at all. No data about the person is stored. Any one thread at a time but the haptic one;
-// blocks.
+// The day's shelf on the disk: one folder per day, one folder per pot, five files in each. A pot is written
+// completely or not at all. No personal data is stored. One thread at a time, but not the haptic one; blocks.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +19,8 @@
 
 namespace onggi::app {
 
-// A pot to keep. The history is that of the cut-off clay; if a tick of it was lost, the session contains only
-// the final clay.
+// A pot to keep. The history is that of the cut-off clay; if one of its ticks was lost, the session contains
+// only the final clay.
 struct PotToKeep {
     const haptic::History* history = nullptr;
     const clay::StudioClay* clay = nullptr;

@@ -22,13 +22,13 @@ class VisitJournal {
     // needed.
     explicit VisitJournal(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    // Writes the history's ticks since the last call, or begins a new file after an undo. The old file stays
-    // until the new one has caught up. now_ns is of any monotonic clock. After a failure, such as a full
-    // disk, it does nothing until drop().
+    // Writes the history's ticks since the last call, or begins a new file after an undo; the old file stays
+    // until the new one has caught up. now_ns: any monotonic clock. After a failure, such as a full disk, it
+    // does nothing until drop().
     Result<void> follow(const haptic::History& history, std::int64_t now_ns);
     // Whether the history of the last follow() is written, except for an incomplete block.
     [[nodiscard]] bool has_caught_up() const { return written_ && !next_; }
-    // The file with the longest part of the visit, or empty.
+    // The file that holds the longest part of the visit, or empty.
     [[nodiscard]] std::filesystem::path file() const;
     // Deletes the files, when the visit is over or its pot is on the shelf.
     void drop() noexcept;

@@ -1,6 +1,5 @@
-// The state of a kiosk, from its files only: for the museum's monitoring, which reads it while the kiosk
-// runs, while it is down, and as another user. Any thread but the haptic one and the frame's; reads files and
-// changes none.
+// The state of a kiosk, from its files only. The museum's monitoring reads it while the kiosk runs or is
+// down, and as another user. Any thread but the haptic one and the frame's; changes no file.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +17,7 @@ namespace onggi::app {
 
 struct HouseStatus {
     enum class State {
-        kNeverStarted,  // there is no heartbeat
+        kNeverStarted,  // no heartbeat yet
         kRunning,
         kSilent,  // no heartbeat for kSilentAfterS: it hangs, or was cut off with its supervisor
         kEnded,   // intentionally
@@ -33,7 +32,7 @@ struct HouseStatus {
 
     std::string name{};  // of the unit
     State state = State::kNeverStarted;
-    std::vector<std::string> why_not_well{};  // empty if well
+    std::vector<std::string> why_not_well{};  // empty if it is well
     std::optional<StatusNote> note{};         // the last heartbeat
     std::int64_t now_s = 0;
     int falls = 0;  // of the program, within ten minutes

@@ -62,7 +62,7 @@ Result<void> KioskKeeper::start() {
 std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
     const bool more = follow();
     while (const auto task = tasks_.next()) {
-        // Takes all records first, so that the undo starts from the present state.
+        // Takes all records first, so that the undo starts from the current state.
         while (follow()) {
         }
         (*task)();

@@ -1,6 +1,6 @@
-// Keeps what the visitor does, and puts pots on the disk, beside the frame: it follows the haptic loop by its
-// records, takes moves back, saves, journals the visit and goes on with one that was interrupted. The main
-// thread asks and is answered through queues; the work is done on a thread of its own.
+// Keeps the visitor's history and writes pots to the disk on a background thread: follows the haptic loop by
+// its records, undoes moves, saves, journals the visit and resumes an interrupted one. The main thread sends
+// requests and receives answers through queues.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@
 namespace onggi::app {
 
 struct KeeperAnswer {
-    // Of a cut pot: its clay, and the pot as it is drawn on.
+    // The clay of a cut-off pot, and the pot to be decorated.
     struct CutOff {
         std::shared_ptr<const clay::StudioClay> clay;
         std::shared_ptr<const pot::Pot> pot;
@@ -38,43 +38,43 @@ struct KeeperAnswer {
         std::shared_ptr<const pot::Pot> bowl;
     };
     struct Saved {
-        int number = 0;            // of the day
+        int number = 0;            // number within the day
         std::string gallery_name;  // "2026-11-21/pot-014"
     };
     struct SessionWritten {
         std::filesystem::path place;
     };
     struct Wall {
-        std::shared_ptr<const std::vector<screens::ShelfPot>> pots;  // as it is now, the oldest first
+        std::shared_ptr<const std::vector<screens::ShelfPot>> pots;  // the present wall, oldest first
     };
     struct Interrupted {
-        std::shared_ptr<const pot::Pot> bowl;  // the first of a jar; null: none
+        std::shared_ptr<const pot::Pot> bowl;  // the first bowl of a jar, or null
         JarStage jar = JarStage::kNone;
         std::string jar_target;
-        std::shared_ptr<const decoration::Recorded> drawn;  // null: nothing was
+        std::shared_ptr<const decoration::Recorded> drawn;  // null: no decoration
     };
     struct Survey {
-        static constexpr std::size_t kMostPots = 1000;  // that anybody pages through
-        std::vector<std::string> pots{};                // the newest, newest first
-        std::size_t pots_beyond = 0;                    // how many more there are
+        static constexpr std::size_t kMostPots = 1000;  // limit for the panel's pages
+        std::vector<std::string> pots{};                // newest first
+        std::size_t pots_beyond = 0;                    // number of further pots
         double free_mb = 0.0;
         std::optional<double> celsius{};
         UseOfDay use{};
     };
-    struct NotPut {};  // the clay on the wheel stays as it is
-    struct Remark {};  // words alone
+    struct NotPut {};  // the clay on the wheel is unchanged
+    struct Remark {};  // only words for the log
 
-    // An event: what the visit has to know, and no more.
+    // The answer; an Event is dispatched to the visit.
     std::variant<Remark, kiosk::Event, CutOff, SetAside, Saved, SessionWritten, Wall, Interrupted, Survey,
                  NotPut>
         what{};
     std::string words{};      // for the log
-    bool is_trouble = false;  // what they tell of
+    bool is_trouble = false;  // the words report an error
 };
 
 class KioskKeeper final : private jobs::IoWork {
   public:
-    // The job's state at its start, which every fresh lump is. No heartbeat: nobody asks from afar.
+    // `start` is the state of every fresh lump. No heartbeat without monitoring.
     KioskKeeper(haptic::HapticJob& job, const haptic::HapticState& start,
                 const haptic::HapticParameters& parameters, Gallery gallery, std::filesystem::path statistics,
                 std::optional<KioskHeartbeat> heartbeat = {});
@@ -83,64 +83,63 @@ class KioskKeeper final : private jobs::IoWork {
     Result<void> start();
     void stop() noexcept { thread_.stop(); }
 
-    // Main thread; each is done on the keeper's, once all that was done to the clay up to then is known.
-    // Answered by event::UndoneAll where nothing is left to take back.
+    // Main thread. The keeper executes each of these requests once it has received all records of the clay up
+    // to the request. Answered by event::UndoneAll if nothing is left to undo.
     void undo();
-    // The lump that comes is the first bowl of a jar after that pot of a museum.
+    // The next lump is the first bowl of a jar modelled on that museum's pot.
     void begin_jar(std::string target);
-    // The bowl on the wheel is the first of a jar. Answered by SetAside or event::JarStays; new clay may
-    // come then.
+    // Sets aside the bowl on the wheel as the first of a jar. Answered by SetAside, after which new clay may
+    // come, or event::JarStays.
     void set_aside();
-    // How its rim meets that of the bowl on the wheel: event::Rims or
+    // Compares the first bowl's rim with that of the bowl on the wheel. Answered by event::Rims or
     // event::RimsApart.
     void hold_together(double mouth_mm);
-    // Both become one, on the wheel: event::Joined or event::JarStays.
+    // Joins both bowls on the wheel. Answered by event::Joined or event::JarStays.
     void join_bowls(const JarJoin& join);
-    // That bowl is on the wheel again as it was: the first one, or of a jar the second. Answered by NotPut
-    // where it is not.
+    // Puts a bowl back on the wheel: the first one, or the second of a joined jar. Answered by NotPut on
+    // failure.
     void take_back(int bowl);
-    // To two seconds before that tick. Answered by NotPut where the clay stays as it is.
+    // Returns to the state two seconds before that tick. Answered by NotPut if the clay is unchanged.
     void go_before(std::uint64_t tick);
     // Answered by CutOff.
     void cut_off();
-    // What was drawn on it so far, for a power cut.
+    // Stores the unfinished decoration, in case of a power cut.
     void keep_drawing(std::vector<std::byte> drawn);
-    // Undoing goes no further back from here on, until other clay comes.
+    // Limits undo to the ticks from here on, until other clay comes.
     void begin_trim();
-    // All that was done to the pot that was cut off last, as a session at that place; answered by
-    // SessionWritten where it is known.
+    // Writes the session of the last cut-off pot to that place. Answered by SessionWritten if the history is
+    // complete.
     void write_session(std::filesystem::path place);
     // Answered by Saved or event::SaveFailed.
     void save(std::shared_ptr<const pot::Section> shape, int glaze);
-    // A kept pot to the wall of the day, or down from there; all of them. Answered by Wall, as is the start
-    // and the end of a day.
+    // Puts a kept pot on the wall of the day, takes one down, or takes down all. Answered by Wall, which is
+    // also sent at the start and the end of a day.
     void put_on_wall(WallPot pot);
     void take_off_wall(std::string pot);
     void clear_wall();
-    // Of a visit that is over, nothing stays.
+    // Drops everything of a visit that is over.
     void forget();
-    // A visit throws that lump, counted as Snapshot::run counts: it is journalled until forget(), or until
-    // its pot is saved.
+    // Journals the visit's lump `run` (see Snapshot::run) until forget(), or until its pot is saved.
     void journal(std::uint64_t run);
-    // Puts the pot of the interrupted visit on the wheel (after Interrupted was answered) and goes on with
-    // its journal.
+    // Puts the pot of the interrupted visit on the wheel, after the answer Interrupted, and continues its
+    // journal.
     void resume(std::uint64_t run);
     void drop_interrupted_session();
-    // Answered by Survey: what the gallery holds, what the disk has left, how warm it is, the day's use.
+    // Answered by Survey: the gallery's pots, free disk space, temperature, the day's statistics.
     void survey();
     void remove(std::string pot);
     void note(const VisitNote& visit);
     void note_attract_break();
     void note_start();
-    // The house's monitoring is told; every KioskHeartbeat::kEveryS.
+    // Writes the heartbeat for the museum's monitoring, every KioskHeartbeat::kEveryS.
     void beat(KioskPulse pulse);
-    // What the staff has set, for the next start.
+    // Stores the staff's settings for the next start.
     void keep(HouseDefaults house);
-    // Null: nothing is answered yet.
+    // Null: no answer yet.
     [[nodiscard]] std::shared_ptr<const KeeperAnswer> next_answer() { return answers_.next(); }
 
   private:
-    // A few ms of an interrupted visit, so that the one that goes on is followed too.
+    // A few ms of replay per round, so that the current visit is still followed.
     static constexpr int kInterruptedSessionTicksARound = 2000;
 
     // The keeper's thread.
@@ -174,22 +173,22 @@ class KioskKeeper final : private jobs::IoWork {
     haptic::FaultReport faults_;
     haptic::HapticState start_;
     haptic::HapticParameters parameters_;
-    std::filesystem::path visits_;  // where journals are
+    std::filesystem::path visits_;  // folder of the journals
     VisitJournal journal_;
     std::optional<std::uint64_t> journalled_run_;
-    std::uint64_t run_ = 0;                                    // of the last record
-    std::unique_ptr<InterruptedSession> interrupted_session_;  // until it is on the wheel
+    std::uint64_t run_ = 0;                                    // run of the last record
+    std::unique_ptr<InterruptedSession> interrupted_session_;  // until its pot is on the wheel
     bool has_looked_ = false;
     bool has_found_ = false;
     bool is_worked_out_ = false;
-    bool is_put_ = false;                        // its state is on the way to the wheel
-    bool was_resumed_ = false;                   // and is not in the new journal yet
+    bool is_put_ = false;                        // its state was sent to the wheel
+    bool was_resumed_ = false;                   // and the new journal has not caught up yet
     std::optional<std::uint64_t> trimmed_from_;  // the tick
     JarKeeping jar_;
-    std::optional<haptic::History> arriving_;  // of the jar's; goes on once its state is on the wheel
-    bool is_jar_ = false;                      // what history_ is of began as two bowls
+    std::optional<haptic::History> arriving_;  // a jar's history, continued once its state is on the wheel
+    bool is_jar_ = false;                      // history_ is of a joined jar
     Gallery gallery_;
-    std::string gallery_trouble_;  // as it was told last
+    std::string gallery_trouble_;  // as last reported
     bool has_said_unsynced_ = false;
     bool gallery_was_there_ = false;
     std::filesystem::path statistics_;

@@ -58,7 +58,7 @@ Result<void> KioskFilm::begin(const std::filesystem::path& session) {
 void KioskFilm::finish_in(std::string_view glaze, const decoration::Marks* marks) {
     if (!maker_) return;
     std::string words(glaze);
-    // Without the decoration's file the film shows the plain pot.
+    // If the decoration's file is missing, the film shows the plain pot.
     const std::filesystem::path place = folder_ / "marks";
     if (marks != nullptr && files::write_file_atomically(place, decoration::bytes_of(marks->recorded)))
         words += ' ' + place.string();
@@ -136,7 +136,7 @@ void KioskPhone::add_late_film() {
     if (late.is_forgotten) film_.drop();
 }
 
-// Not only at the start: the folder may appear later, on a disk that is plugged in.
+// Called again later, because the folder may be on a disk that is plugged in late.
 Result<void> KioskPhone::open() {
     if (outbox_) return {};
     auto opened = sharing::Outbox::open(outbox_options(settings_));

@@ -1,7 +1,6 @@
-// Hands kept pots to the outbox for phones, beside the frame, and says by which code each is found; takes
-// away what is over and counts what is opened. The main thread asks and is answered through queues; the work
-// is done on a thread of its own, because a disk may be slow and because no answer of it may hold up a pot
-// that is being kept.
+// Puts kept pots into the outbox for phones on a background thread and returns their codes; removes expired
+// pots and counts opened pages. The main thread sends requests and receives answers through queues. It has
+// its own thread, because the disk may be slow and sharing must not delay the keeper.
 #pragma once
 
 #include <cstdint>
@@ -28,12 +27,13 @@
 
 namespace onggi::app {
 
-// The film of the pot that was cut off, made beside the visit by a process of its own: it takes some seconds
-// of a processor and 80 MB, neither of which the wheel shall miss. The process begins while the pot dries and
-// is told the glaze when that is chosen. One thread at a time; nothing blocks.
+// The film of the cut-off pot, made by a separate process during the visit: it takes some seconds of a
+// processor and 80 MB, which must not affect the wheel. The process begins while the pot dries and receives
+// the glaze once it is chosen. One thread at a time; does not block.
 class KioskFilm {
   public:
-    // `program`: what `film` is a command of; empty: no films are made. `folder` is this object's own.
+    // `program` is the executable with the command `film`; empty: no films. `folder` must be used by this
+    // object only.
     KioskFilm(std::filesystem::path program, std::filesystem::path folder)
         : program_(std::move(program)),
           folder_(std::move(folder)) {}
@@ -43,22 +43,22 @@ class KioskFilm {
 
     struct Files {
         std::filesystem::path film;
-        std::filesystem::path still;  // shown until the film is asked for
+        std::filesystem::path still;  // shown until the film is requested
     };
-    static constexpr double kSeconds = 8.0;  // how long a film is
+    static constexpr double kSeconds = 8.0;  // duration of a film
 
-    // Of a session on the disk, which is taken from where it lies. The film before is dropped. System lacks:
-    // no room, no process.
+    // Starts a film of a session file, which it moves. Drops the previous film. System lacks: no space, no
+    // process.
     Result<void> begin(const std::filesystem::path& session);
-    // The glaze of its last seconds, as finish::GlazeMaterial::id has it, and what was drawn below it; null:
-    // nothing. Once a film.
+    // Sends the glaze of its last seconds (a finish::GlazeMaterial::id) and the decoration below it, or null.
+    // Once per film.
     void finish_in(std::string_view glaze, const decoration::Marks* marks);
     [[nodiscard]] bool is_in_the_making() { return maker_ && maker_->is_at_work(); }
-    // Those of the film that was begun last, once it is made; none if it came to nothing.
+    // The files of the last film once it is complete; nothing if it failed.
     [[nodiscard]] std::optional<Files> files() const {
         return maker_ && maker_->has_succeeded() ? std::optional(places()) : std::nullopt;
     }
-    // Whatever there is of it is taken away, and who makes it is ended.
+    // Deletes its files and ends its process.
     void drop() noexcept;
 
   private:
@@ -69,7 +69,7 @@ class KioskFilm {
     std::optional<jobs::IdleProcess> maker_;
 };
 
-// A pot that phones may fetch, for the staff.
+// A shared pot, for the staff.
 struct SharedPotNote {
     std::string gallery_name;
     std::string until;  // "18:00", "2026-11-26, 18:00"
@@ -77,7 +77,7 @@ struct SharedPotNote {
     friend bool operator==(const SharedPotNote&, const SharedPotNote&) = default;
 };
 
-// A kept pot, and what its page says of it.
+// A kept pot, and the data of its page.
 struct PotToShare {
     std::string gallery_name{};  // "2026-11-21/pot-014"
     std::shared_ptr<const screens::FiredPot> pot{};
@@ -86,28 +86,28 @@ struct PotToShare {
 };
 
 struct PhoneAnswer {
-    // What became of a pot's code.
+    // The new state of a pot's code.
     struct OfPot {
         kiosk::ShareOutcome outcome = kiosk::ShareOutcome::kReady;
         std::string gallery_name;
         std::shared_ptr<const screens::PhoneWay> way{};  // if it is ready
     };
     struct Survey {
-        std::vector<SharedPotNote> shared{};  // the newest first
+        std::vector<SharedPotNote> shared{};  // newest first
     };
-    struct Remark {};  // words alone
+    struct Remark {};  // only words for the log
 
     std::variant<Remark, OfPot, Survey> what{};
-    std::string words{};  // for the log; never the code
+    std::string words{};  // for the log; never contains the code
 };
 
 class KioskPhone final : private jobs::IoWork {
   public:
-    // The visitor waits for a code meanwhile. Most films are made before a glaze is chosen, but for the last
-    // second of them that shows it.
+    // The visitor waits for the code meanwhile. Most films are complete before a glaze is chosen, except for
+    // the last second, which shows it.
     static constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
 
-    // `settings` outlives it. `program`: who makes films, see KioskFilm.
+    // `settings` must outlive it. `program`: see KioskFilm.
     explicit KioskPhone(const KioskSettings& settings, std::filesystem::path program = {},
                         std::int64_t film_wait_ns = kFilmWaitNs)
         : settings_(settings),
@@ -115,31 +115,31 @@ class KioskPhone final : private jobs::IoWork {
           film_(std::move(program), state_folder(settings.config.gallery.folder) / "film") {}
     ~KioskPhone() override { stop(); }
 
-    // Does nothing where the settings share nothing.
+    // Does nothing if sharing is off.
     Result<void> start();
     void stop() noexcept { thread_.stop(); }
 
-    // Where the keeper lays the session of a pot that was cut off, for film().
+    // The place where the session of a cut-off pot is written for film().
     [[nodiscard]] std::filesystem::path session_place() const {
         return state_folder(settings_.config.gallery.folder) / "film.onggi";
     }
 
     // Main thread. Begins the film of a pot that may be shared later.
     void film(std::filesystem::path session);
-    // Nobody waits for that pot's code any more. A film that its page lacks is made all the same.
+    // Drops the request for the pot of a visitor who has left. A film that its page lacks is still made.
     void forget();
-    // Answered by kShared once every file is on the disk, or by kShareFailed. Waits for the film, but not for
-    // long: one that is made later comes to the page then, where no other is begun before.
+    // Answered by kShared once every file is on the disk, or by kShareFailed. Waits for the film for
+    // kFilmWaitNs at most; a later film is added to the page, unless another film is begun before.
     void share(PotToShare pot);
-    // The staff has deleted that pot, or will not have it shared. Answered by kShareOver where it had a code.
+    // Ends the sharing of a pot that the staff deleted or withdrew. Answered by kShareOver if it had a code.
     void withdraw(std::string gallery_name);
-    // What is shared now; answered by Survey.
+    // Answered by Survey: the shared pots.
     void survey();
-    // Null: nothing is answered yet.
+    // Null: no answer yet.
     [[nodiscard]] std::shared_ptr<const PhoneAnswer> next_answer() { return answers_.next(); }
 
   private:
-    // The thread's own.
+    // The background thread.
     [[nodiscard]] std::int64_t round(std::int64_t now_ns) noexcept override;
     void finish() noexcept override {}
     [[nodiscard]] Result<void> open();
@@ -154,7 +154,7 @@ class KioskPhone final : private jobs::IoWork {
     void note(const PhoneNote& phones);
     void answer(PhoneAnswer answer) { answers_.post(std::move(answer)); }
 
-    // Whose page there is, without its film.
+    // A pot whose page lacks its film.
     struct Unfilmed {
         sharing::SharedPot pot;
         sharing::ShareTime time;
@@ -167,9 +167,9 @@ class KioskPhone final : private jobs::IoWork {
     std::optional<sharing::Outbox> outbox_;
     std::optional<sharing::CounterReader> counter_;
     KioskFilm film_;
-    std::optional<PotToShare> waiting_;  // for its film
+    std::optional<PotToShare> waiting_;  // waits for its film
     std::optional<Unfilmed> unfilmed_;
-    std::int64_t now_ns_ = 0;  // of the round
+    std::int64_t now_ns_ = 0;  // time of the round
     std::int64_t waits_until_ns_ = 0;
     std::int64_t looked_after_ns_ = 0;
     jobs::TaskQueue tasks_{16};

@@ -41,7 +41,7 @@ Result<Recording> load_recording(const fs::path& file, const haptic::HapticState
     return Recording{file.stem().string(), std::move(loaded->session)};
 }
 
-// Of a line of the list: the name, if the recording is to be shown.
+// Parses a line of the list; returns the name if the recording is to be shown.
 Result<std::string> shown_name(const std::string& line, int number, const fs::path& list, bool forgiving) {
     constexpr std::string_view kUnforgiving = "unforgiving";
     std::istringstream words(line);
@@ -102,7 +102,7 @@ Show load_show(const ShowClay& clay, std::vector<std::string>& remarks) {
 
 std::unique_ptr<haptic::HapticState> first_state_of(const Recording& recording, std::size_t place) {
     const record::Session& session = recording.session;
-    // It was read when the recording was.
+    // Valid, because loading the recording has parsed it.
     auto start = haptic::start_from_bytes(session.start_state(), session.header().rate_hz).value();
     start.state.ticks = kShownTicks + place * kTicksEach;
     return std::make_unique<haptic::HapticState>(std::move(start.state));
@@ -124,8 +124,8 @@ DemonstrationDevice::DemonstrationDevice(std::unique_ptr<haptic::SimulatedDevice
     }
 }
 
-// Between two ticks of the recording the hands go straight on, but not to where they land or let go; all else
-// holds until the next.
+// Interpolates positions linearly between two ticks of the recording, except across a touch or release; other
+// values hold until the next tick.
 tool::ToolState DemonstrationDevice::at(Player& player, std::uint64_t tick) noexcept {
     const double recorded = static_cast<double>(tick) * player.ticks_a_tick;
     const auto before = static_cast<std::uint64_t>(recorded);
@@ -143,7 +143,7 @@ tool::ToolState DemonstrationDevice::read_tool(std::uint64_t tick, double dt_s) 
     const std::uint64_t shown = tick < kShownTicks ? 0 : tick - kShownTicks;
     const auto place = static_cast<std::size_t>(shown / kTicksEach);
     if (tick < kShownTicks || place >= players_.size()) {
-        // The visitor's hand begins where the visitor has it, not where the recorded one was.
+        // The visitor's hand begins at the visitor's place, not at the recorded one.
         if (std::exchange(plays_, false)) person_->rest();
         const tool::ToolState tool = person_->read_tool(tick, dt_s);
         is_moving_ = person_->is_moving();

@@ -1,6 +1,6 @@
-// What the wheel shows by itself while nobody is there: recorded sessions, one after another, each on the
-// clay that it was thrown on and by its own hand, tick by tick. A hand on a spring, as a mouse is, would be
-// pushed back by the clay and make another pot. mm, s, Hz.
+// The demonstrations of attract mode: plays recorded sessions one after another, each on its own start clay
+// and with its recorded hand, tick by tick. (The clay would push back a simulated hand on a spring, which
+// would make another pot.) mm, s, Hz.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@
 namespace onggi::app {
 
 struct Recording {
-    std::string name;  // of its file
+    std::string name;  // file name
     record::Session session;
 
     [[nodiscard]] double seconds() const {
@@ -30,40 +30,40 @@ struct Recording {
 
 struct Show {
     std::vector<Recording> recordings;
-    std::optional<tool::Gesture> gesture;  // where there are no recordings; without it the wheel waits
+    std::optional<tool::Gesture> gesture;  // used without recordings; without it the wheel waits
 };
 
-// What the recordings are to be played on.
+// The kiosk's clay, with which the recordings must agree.
 struct ShowClay {
     const haptic::HapticState& lump;
     bool forgiving = true;
 };
 
-// The recordings that `folder`/shown.txt names, a line each, in that order; those that cannot be played on
-// clay like the lump are left out, with a remark each. So are, without one, those with the word `unforgiving`
-// behind their name where the clay is forgiving: they are of what it does not do. Where none is left, the
-// gesture in the file. Main thread, blocks.
+// Loads the recordings listed in `folder`/shown.txt, one per line, in that order. Skips those that cannot be
+// played on clay like the lump, with a remark each, and with forgiving clay those marked `unforgiving`,
+// without a remark: they show what forgiving clay does not do. Loads the gesture file if none is left. Main
+// thread, blocks.
 [[nodiscard]] Show load_show(const std::filesystem::path& folder, const std::filesystem::path& gesture,
                              const ShowClay& clay, std::vector<std::string>& remarks);
-// The program's own.
+// Loads the program's own demonstrations.
 [[nodiscard]] Show load_show(const ShowClay& clay, std::vector<std::string>& remarks);
 
-// Ticks of a recorded clay are counted from here on, so that the number of a tick says what is shown and how
-// far it has come, and no history of a visitor's clay takes it for its own.
+// Ticks of a demonstration count from here, so that a tick's number identifies the recording and its
+// progress, and cannot be confused with a tick of a visitor's clay.
 constexpr std::uint64_t kShownTicks = std::uint64_t{1} << 31U;
 constexpr std::uint64_t kTicksEach = std::uint64_t{1} << 25U;  // an hour and a half at 6 kHz
 constexpr std::size_t kMostRecordings = 32;
 
-// What the recording at that place begins with, to be put on the wheel.
+// The start state of that recording, to be put on the wheel.
 [[nodiscard]] std::unique_ptr<haptic::HapticState> first_state_of(const Recording& recording,
                                                                   std::size_t place);
-// How long the recording at that place has played at that tick, s; none: it is not on the wheel.
+// The time for which that recording has played at that tick, s; nothing if it is not on the wheel.
 [[nodiscard]] std::optional<double> played_s(std::uint64_t tick, std::size_t place, double rate_hz);
 
-// The kiosk's first hand: the visitor's, by mouse or touch, and on a recorded clay the recorded one.
+// The kiosk's first device: the visitor's mouse or touch, or during a demonstration the recorded hand.
 class DemonstrationDevice final : public haptic::ToolDevice {
   public:
-    // The recordings outlive it. rate_hz: of the loop.
+    // The recordings must outlive it. rate_hz is the loop's.
     DemonstrationDevice(std::unique_ptr<haptic::SimulatedDevice> person,
                         const std::vector<Recording>& recordings, double rate_hz);
 
@@ -82,7 +82,7 @@ class DemonstrationDevice final : public haptic::ToolDevice {
     struct Player {
         record::SessionCursor now;
         record::SessionCursor next;
-        double ticks_a_tick = 1.0;  // of the recording, in one of the loop
+        double ticks_a_tick = 1.0;  // ticks of the recording per tick of the loop
     };
     [[nodiscard]] static tool::ToolState at(Player& player, std::uint64_t tick) noexcept;
 

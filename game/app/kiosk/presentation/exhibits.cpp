@@ -30,7 +30,7 @@ screens::Exhibit exhibit_of(const heritage::Target& target, const ExhibitWords& 
     constexpr float kFloorMm = 9.0F;
     const heritage::ShelfRow* const row = heritage::find_row(words.shelf, target.id);
     screens::Exhibit exhibit;
-    // Words that are no key stand for themselves, in every language.
+    // A text that is not a key is shown unchanged in every language.
     exhibit.name_key = row != nullptr ? row->name : target.name;
     exhibit.museum_key = row != nullptr ? row->museum : target.place;
     exhibit.date_key = row != nullptr ? row->date : target.culture_date;

@@ -1,5 +1,5 @@
-// The museum's pots as the screens know them: on the shelf, beside a visitor's pot, and on their cards. Any
-// thread but the haptic one.
+// Converts the museum's pots for the screens: the shelf, the comparison with a visitor's pot, and the cards.
+// Any thread but the haptic one.
 #pragma once
 
 #include <map>
@@ -14,19 +14,19 @@
 
 namespace onggi::app {
 
-// What is told of them: the shelf's rows, and cards by their ids, for these languages.
+// The texts of the exhibits: the shelf's rows, the cards by id, and the languages.
 struct ExhibitWords {
     std::vector<heritage::ShelfRow> shelf;
     std::map<std::string, heritage::Card, std::less<>> cards;
     std::vector<kiosk::Language> languages;
 };
 
-// The pots of the shelf, in the order of its rows, and behind them those without a row, which the table of
-// targets names. `places` gets where each stands in that table.
+// Returns the pots of the shelf in the order of its rows, then the targets without a row. `places` receives
+// each exhibit's index into `targets`.
 [[nodiscard]] std::vector<screens::Exhibit> exhibits_of(const std::vector<heritage::Target>& targets,
                                                         const ExhibitWords& words,
                                                         std::vector<std::size_t>& places);
-// All of them, in the order of the table of targets.
+// Returns all of `targets`, in their order.
 [[nodiscard]] std::vector<screens::Exhibit> relatives_of(const std::vector<heritage::Target>& targets,
                                                          const ExhibitWords& words);
 

@@ -1,6 +1,5 @@
-// What of the haptic loop's newest snapshot the picture shows as forces: where each hand touches, an arrow
-// for each force of Fig. 6, the rings in contact, and how force and tick rate went. Main thread, once a
-// frame. mm, N.
+// The force view of the haptic loop's newest snapshot: each hand's contact, an arrow for each force of Fig.
+// 6, the touched rings, and the course of force and tick rate. Main thread, once a frame. mm, N.
 #pragma once
 
 #include <array>
@@ -13,9 +12,9 @@
 
 namespace onggi::app {
 
-// As the camera sees it.
+// The camera's projection.
 struct Sight {
-    std::function<std::optional<dvec2>(const dvec3&)> project;  // pixels; nothing behind the eye
+    std::function<std::optional<dvec2>(const dvec3&)> project;  // pixels; nothing behind the camera
     std::function<dvec3(const dvec3&)> towards_eye;             // unit length
 };
 [[nodiscard]] Sight sight_of(const wheel::LiveView& view);
@@ -24,11 +23,11 @@ struct Sight {
 using Forces = std::array<dvec3, screens::kForceCount>;
 [[nodiscard]] Forces forces_of(const clay::ContactForces& forces);
 
-// Where the tool touches: the clay pushes from there straight through the tool's centre. The centre itself
-// where it does not push.
+// The tool's contact point: the clay pushes from there towards the tool's centre. Returns the centre without
+// a force.
 [[nodiscard]] dvec3 touched_mm(const dvec3& tool_mm, double radius_mm, const dvec3& stiffness_n);
 
-// The rings of the shape in contact, as [first, end): those whose middle lies in the stretch that is touched.
+// The touched rings of the shape, as [first, end): those whose middle is in the contact's height range.
 struct RingSpan {
     int first = 0;
     int end = 0;
@@ -38,13 +37,13 @@ struct RingSpan {
 
 class ForceView {
   public:
-    // An arrow that is as long as the plot is high has this length.
+    // The length of an arrow for a force of the plot's full height.
     static constexpr double kFullArrowMm = 80.0;
 
-    // now_s ascends. What is shown follows the forces within some hundredths of a second, so that it can be
-    // read; the plot has each as it was.
+    // now_s must ascend. Smooths the shown forces over some hundredths of a second, so that they are
+    // readable; the plot has the raw values.
     void look(const haptic::Snapshot& snapshot, double now_s);
-    // Of the snapshot that was looked at last. with_sum: the sum too, else the three alone.
+    // The forces of the last snapshot. with_sum: adds the sum to the three parts.
     [[nodiscard]] screens::ForceFrame frame(const haptic::Snapshot& snapshot, const Sight& sight,
                                             bool with_sum) const;
 

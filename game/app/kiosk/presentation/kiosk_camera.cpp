@@ -15,7 +15,7 @@ using wheel::View;
 
 constexpr double kTopU = 56.0;        // top of the box of pot and hands
 constexpr double kReachTopU = 230.0;  // the top with low controls, so that seated visitors reach the clay
-constexpr double kLowerU = 110.0;     // the wheel's additional lowering there
+constexpr double kLowerU = 110.0;     // additional lowering of the wheel with low controls
 constexpr double kAirU = 10.0;
 constexpr double kLeastZoom = 0.64;
 constexpr double kHeadZoom = 0.8;  // limit of zooming out to show the whole wheel head

@@ -29,12 +29,12 @@ struct BackgroundSight {
 
 class KioskCamera {
   public:
-    // pot_mm: the pot's present height. shows_room: only the scene is on the screen.
+    // pot_mm: the pot's current height. shows_room: no exhibit, wall of the day or panel is over it.
     [[nodiscard]] CameraRequest request(const kiosk::State& state, bool shows_room, double pot_mm,
                                         const BackgroundSight& sight);
 
   private:
-    double fitted_mm_ = 0.0;  // the height for which the framing has room
+    double fitted_mm_ = 0.0;  // the pot's height that the framing leaves room for
 };
 
 // 0 by day; grows in invisible steps over the last hour before closing time to 1, and stays 1 until the

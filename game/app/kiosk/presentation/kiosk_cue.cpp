@@ -12,15 +12,15 @@ using clay::studio::Grip;
 using clay::studio::GripGuard;
 using screens::CueGuard;
 
-constexpr double kKnownAfterS = 1.5;  // time of clay that follows
-constexpr double kAgainAfterS = 6.0;  // time without
+constexpr double kKnownAfterS = 1.5;  // time for which the clay must follow
+constexpr double kAgainAfterS = 6.0;  // time for which it must not follow
 constexpr double kFollowsMmS = 3.0;   // slower hands make no progress
 constexpr double kGuardSaysS = 0.6;
 constexpr double kEasesS = 0.06;
 constexpr double kHoldMm = 12.0;       // above and below a finger on a wall
 constexpr double kThumbsMm = 17.0;     // radius of the first opening
 constexpr double kRimFraction = 0.3;   // fraction of the depth that a palm on the rim holds
-constexpr double kFeltFraction = 0.5;  // fraction of a window beyond which hands hardly move the clay
+constexpr double kFeltFraction = 0.5;  // beyond this fraction of their window, hands hardly move the clay
 
 CueHold about(double y_mm, double height_mm) {
     const double low_mm = std::clamp(y_mm - kHoldMm, 0.0, std::max(0.0, height_mm - 2.0 * kHoldMm));
@@ -33,7 +33,7 @@ CueHold opening_of(const pot::Pot& shape) {
         .low_mm = shape.floor_mm, .high_mm = shape.height_mm, .opening_mm = std::max(kThumbsMm, mouth_mm)};
 }
 
-// The hold of working hands, without the margin of their window, where they hardly move the clay.
+// The range that working hands hold, without the margin of their window, where they hardly move the clay.
 CueHold hold_of_grip(const clay::studio::GripReport& grip, const pot::Pot& shape) {
     if (grip.grip == Grip::kOpen) return opening_of(shape);
     CueHold hold{.low_mm = grip.low_mm, .high_mm = std::min(grip.high_mm, shape.height_mm)};

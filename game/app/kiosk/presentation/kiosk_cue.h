@@ -1,6 +1,6 @@
 // The place of the cue: round the clay that the hands hold, that a touch would hold, or where the lesson
-// expects the next touch; its visibility; and the lag of the hands behind a finger. Pure state, the caller's
-// clock. Main thread, once a frame. mm, s.
+// expects the next touch. Also its visibility, and the lag of the hands behind a finger. Pure state, the
+// caller's clock. Main thread, once a frame. mm, s.
 #pragma once
 
 #include <optional>
@@ -36,11 +36,11 @@ struct CueThread {
 struct CueMoment {
     double now_s = 0.0;
     const pot::Pot& shape;
-    const clay::studio::GripReport& grip;  // of pressing hands, the visitor's or a demonstration's
-    bool is_shown = false;                 // they are a demonstration's
+    const clay::studio::GripReport& grip;  // of pressing hands, a visitor's or a demonstration's
+    bool is_shown = false;                 // the hands are a demonstration's
     std::optional<int> wanted_step{};      // of the lesson, while its cue is shown
     std::optional<dvec2> hovers_mm{};      // a mouse over the vertical plane
-    std::optional<dvec2> marker_mm{};      // the place for keys, which is otherwise invisible
+    std::optional<dvec2> marker_mm{};      // the place that keys act on, otherwise invisible
     bool with_tool = false;                // a rib or a sponge is held
     bool still = false;                    // less motion
 };
@@ -67,8 +67,8 @@ class KioskCue {
 
     double last_s_ = 0.0;
     dvec2 hand_mm_{0.0};
-    double came_on_s_ = 0.0;  // time that the clay has followed since the cue appeared
-    double stood_s_ = 0.0;    // time that it has not
+    double came_on_s_ = 0.0;  // time for which the clay has followed since the cue appeared
+    double stood_s_ = 0.0;    // time for which it has not followed
     bool is_known_ = false;   // the visitor succeeds without the cue
     clay::studio::GripGuard guard_ = clay::studio::GripGuard::kNone;
     double guard_s_ = 0.0;

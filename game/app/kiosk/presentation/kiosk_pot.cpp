@@ -18,7 +18,7 @@ namespace {
 // The size of the lesson's moves for a kilogram; other lumps scale by the cube root of their mass.
 constexpr double kPressedMm = 3.0;       // a foot narrower by this, or a lump higher by twice as much
 constexpr double kOpenedMm = 18.0;       // from rim to floor
-constexpr double kOpenedBoreMm = 14.0;   // in the middle of that, to the inner face
+constexpr double kOpenedBoreMm = 14.0;   // in the middle of that depth, to the inner face
 constexpr double kRaisedFraction = 1.4;  // of the height at the opening
 constexpr double kRaisedMm = 75.0;       // or this height in any case
 constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;

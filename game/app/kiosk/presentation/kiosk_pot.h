@@ -41,8 +41,9 @@ class Lesson {
 // Thickness of the thinnest wall above the floor; 0 for solid clay.
 [[nodiscard]] double thinnest_wall_mm(const pot::Pot& shape);
 
-// The pot as it comes out of the kiln, and beside it the one of `targets` that it was thrown after, `chosen`,
-// or else resembles most, as relatives_of() shows them; no relative where those are not theirs.
+// Returns the pot as it comes out of the kiln and, as its relative, the museum's pot that it was thrown after
+// (`chosen`) or else the most similar of `targets`. `relatives` is relatives_of(targets); if their sizes
+// differ, there is no relative.
 [[nodiscard]] screens::FiredPot fired_pot(
     const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
     const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives,

@@ -12,7 +12,7 @@
 namespace onggi::app {
 namespace {
 
-// The left and right edge of the wheel in the stereo picture.
+// The distance of the stereo picture's left and right edge from the axis.
 constexpr double kEdgeMm = 150.0;
 // The torque that nearly stalls a small studio wheel: 3 N at 100 mm.
 constexpr double kStallNMm = 300.0;

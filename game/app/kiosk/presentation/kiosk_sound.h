@@ -1,5 +1,4 @@
-// The sound scene of the haptic loop's newest snapshot, and the speaker that plays it. Main thread, once a
-// frame.
+// Converts the haptic loop's newest snapshot to a sound scene, and plays it. Main thread, once a frame.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +13,8 @@
 
 namespace onggi::app {
 
-// The sound scene of a snapshot: the wheel's speed, the pressure of both hands, the clay's speed under the
-// first, its wetness. A new lump causes a slap. Pure.
+// Returns the sound scene of a snapshot: the wheel's speed, the pressure of both hands, the clay's speed
+// under the first, its wetness. A new lump causes a slap. Pure.
 [[nodiscard]] sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume);
 
 // The key of a caption for deaf visitors: wet clay under the hand, the wheel, or empty.
@@ -39,7 +38,7 @@ class KioskSound {
     [[nodiscard]] bool is_audible() const { return volume_ > 0.0; }
     // Plays a tone on the left loudspeaker, the right one and both, from the next frame on.
     void test() { ++chimes_; }
-    // The sound device's name; empty without one, and lack() returns the reason.
+    // The sound device's name; if it is empty, lack() returns the reason.
     [[nodiscard]] std::string device();
     [[nodiscard]] std::string lack();
     // Changes since the last call: a device that was lost or found again; may be empty.

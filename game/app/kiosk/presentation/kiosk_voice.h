@@ -26,12 +26,13 @@ class KioskVoice final : private jobs::IoWork {
     // Main thread. Requests the line that is due; repeating the request has no effect. Returns true if it
     // changed.
     bool ask(std::string_view language, std::string_view key);
-    // Main thread. The line to play; null until it is read, and without a recording.
+    // Main thread. The line to play; null until it is read or if it has no recording.
     [[nodiscard]] std::shared_ptr<const sound::SpokenLine> line() noexcept;
     // The last reading error, in one line, once; may be empty.
     [[nodiscard]] std::string news();
 
-    // The recording of a line; null without one. `trouble` is set to the error if it cannot be read.
+    // Reads the recording of a line; null if there is none. `trouble` receives the error if it cannot be
+    // read.
     [[nodiscard]] static std::shared_ptr<const sound::SpokenLine> read(const std::filesystem::path& folder,
                                                                        const std::string& name,
                                                                        std::string& trouble);
@@ -46,9 +47,9 @@ class KioskVoice final : private jobs::IoWork {
         std::string trouble;
     };
     std::filesystem::path folder_;
-    std::string asked_;           // main thread
-    std::set<std::string> told_;  // main thread: troubles
-    std::string read_;            // the I/O thread
+    std::string asked_;           // by the main thread
+    std::set<std::string> told_;  // errors that the main thread has reported
+    std::string read_;            // by the I/O thread
     jobs::Mailbox<std::shared_ptr<const std::string>> requests_;
     jobs::Mailbox<std::shared_ptr<const Found>> found_;
     jobs::IoThread thread_;

@@ -38,7 +38,7 @@ StaffLine rate_line(const Health& health) {
 
 StaffLine drawing_line(const Health& health) {
     if (health.device_ms <= 0.0) return {"Drawing", "this device does not measure it", ""};
-    // On a software device most of the drawing happens before the device's work.
+    // With a software device most of the drawing happens before the device's work.
     double whole_ms = health.device_ms;
     for (const render::PassTime& part : health.parts)
         whole_ms += part.is_on_host ? part.ms : 0.0;

@@ -40,7 +40,7 @@ struct Health {
     std::vector<AttachedDevices::Seen> devices = {};
     std::string holder = {};  // the device with the tool; empty for touch and mouse
     UseOfDay use = {};
-    std::vector<std::pair<int, std::string>> pots = {};  // a number for the delete key, a name; newest first
+    std::vector<std::pair<int, std::string>> pots = {};  // number for the delete key, and name; newest first
     std::size_t pots_beyond = 0;                         // number of older ones, not in `pots`
     std::vector<std::pair<int, SharedPotNote>> shared = {};  // the same for the withdraw key
 };

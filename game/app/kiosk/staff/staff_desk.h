@@ -1,5 +1,5 @@
-// Runs the staff's panel: gathers its data, follows the running tests, and gives the gallery's pots stable
-// numbers, so that a deleted pot is the one that was shown. Main thread.
+// Runs the staff's panel: gathers its data, follows the running tests, and numbers the gallery's pots
+// permanently, so that the delete key removes the pot that was shown. Main thread.
 #pragma once
 
 #include <map>

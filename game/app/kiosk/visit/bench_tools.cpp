@@ -8,7 +8,7 @@
 namespace onggi::app {
 namespace {
 
-// Of a tool of the scene's bench.
+// A tool on the scene's bench.
 struct Target {
     wheel::ToolModel model;
     tool::Tool held;
@@ -18,7 +18,7 @@ constexpr std::array kTargets{Target{wheel::ToolModel::kSponge, tool::Tool::kSpo
                               Target{wheel::ToolModel::kWire, tool::Tool::kWire, {250.0F, 78.0F}},
                               Target{wheel::ToolModel::kRib, tool::Tool::kRib, {80.0F, 130.0F}}};
 
-// Whether that room is what visitors see: a museum's own has another bench.
+// Whether the scene is the program's own photographed room. A museum's room has another bench.
 bool has_bench(const VisitParts& parts) {
     return parts.settings.config.screen.room.empty() &&
            parts.view.project_framed(wheel::View::kThrowing, {}, dvec3(0.0)).has_value();

@@ -1,4 +1,4 @@
-// The tools that lie on the bench of the photographed room, as places to touch. Pure; main thread.
+// The touch targets of the tools on the photographed room's bench. Pure; main thread.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace onggi::app {
 
-// The rib is drawn there while nobody holds it; the others are in the photographs.
+// Whether the rib is drawn on the bench: while it is not held. The other tools are in the photographs.
 [[nodiscard]] bool rib_lies_there(const VisitParts& parts, const kiosk::State& state);
 
-// Where they are seen now, each with room for a finger; none from above, where the bench is out of the
-// picture.
+// The tools' places in the picture, each large enough for a finger; empty in the view from above, which does
+// not show the bench.
 [[nodiscard]] std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk::State& state);
 
-// The one under a finger there.
+// The tool at that place, if any.
 [[nodiscard]] std::optional<tool::Tool> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px);
 
 }  // namespace onggi::app

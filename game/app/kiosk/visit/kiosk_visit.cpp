@@ -135,7 +135,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     return {};
 }
 
-// What a finger or a key means from here on is what it means on the screen that is seen.
+// From here on, input is interpreted by the screen that is visible.
 void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
     const screens::Composed* shown = stage_.shown();
     if (shown == nullptr) return;
@@ -146,7 +146,8 @@ void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
     input_.pointer().look_at(&shown->composition, screen_key(state), right_to_left);
 }
 
-// Nobody sees the title of a full screen; scripts that play a visitor read it, who have no eyes for the clay.
+// The window's title tells scripted visitors the state of the clay, which they cannot see. In full screen it
+// is invisible.
 void KioskVisit::name_window(const kiosk::ScreenState& shown, double clay_mm) {
     const visit::Step& step = visit::step_of(shown.screen);
     std::string title = "Onggi - " + std::string(step.name);

@@ -60,7 +60,7 @@ void VisitEffects::apply_one(const effect::FreshClay& /*effect*/) {
 
 void VisitEffects::apply_one(const effect::BeforeCollapse& /*effect*/, const VisitMoment& moment) {
     const std::uint64_t tick = wheel_.clay().began_to_fail_tick();
-    wheel_.clay().expect_state(moment.snapshot);  // first: it may be there in no time
+    wheel_.clay().expect_state(moment.snapshot);  // first, because the state may arrive at once
     parts_.keeper.go_before(tick);
 }
 
@@ -73,7 +73,7 @@ void VisitEffects::apply_one(const effect::PutBrush& brush) {
     drawing_.put_brush(brush.down);
 }
 
-// What was drawn goes with the pot from here on.
+// From here on the decoration belongs to the fired pot.
 void VisitEffects::apply_one(const effect::EndDrawing& /*effect*/) {
     if (!pot_) return;
     screens::FiredPot drawn_on = *pot_;
@@ -183,7 +183,7 @@ std::optional<std::size_t> VisitEffects::thrown_after() const {
     return places[static_cast<std::size_t>(*target)];
 }
 
-// Once when the throwing is over, and again where its foot was turned.
+// The answer comes once after throwing, and again after trimming.
 void VisitEffects::take(const KeeperAnswer::CutOff& cut) {
     const clay::StudioClay& clay = *cut.clay;
     screens::FiredPot pot =
@@ -192,11 +192,11 @@ void VisitEffects::take(const KeeperAnswer::CutOff& cut) {
         pot.off_round_mm = heritage::off_round_mm(clay);
     pot_ = std::make_shared<const screens::FiredPot>(std::move(pot));
     drawing_.take(cut.pot);
-    // A hand control holds no trimmer: whoever throws with one goes on to decorate.
+    // A force device cannot hold the trimmer: visitors who throw with one go on to decorating.
     const bool can_trim =
         clay::studio::foot_wall_mm(clay.rings()) > visit::kThickFootMm && parts_.devices.holder().empty();
     if (std::exchange(may_be_trimmed_, false) && can_trim) flow_.dispatch(event::ThickFoot{});
-    // Its film is made of what it is in the end.
+    // The film begins with the final pot.
     if (!flow_.state().trimming.is_offered) write_session();
 }
 
@@ -239,7 +239,7 @@ void VisitEffects::take(const kiosk::Event& event) {
     flow_.dispatch(event);
 }
 
-// Of a pot whose visitor has gone, nobody here wants to know.
+// Ignores answers for a pot whose visitor has left.
 void VisitEffects::take(const PhoneAnswer::OfPot& shared) {
     if (shared.gallery_name != kept_name_ || pot_ == nullptr) return;
     if (shared.outcome == kiosk::ShareOutcome::kReady) phone_way_ = shared.way;
@@ -248,7 +248,7 @@ void VisitEffects::take(const PhoneAnswer::OfPot& shared) {
 
 void VisitEffects::take_answers() {
     if (wall_ && !wall_->empty() && !kiosk::is_open(parts_.settings.config, parts_.minute_of_day())) {
-        wall_.reset();  // until the keeper says so too
+        wall_.reset();  // until the keeper's answer
         parts_.keeper.clear_wall();
     }
     const auto take_it = [this](const auto& what) { take(what); };

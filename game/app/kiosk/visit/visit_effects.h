@@ -1,5 +1,5 @@
-// The effects of a visit's steps, applied: to the wheel, to the keeper's disk, to the staff's desk; and the
-// pots that come of it. Main thread.
+// Applies the effects of a visit's steps to the wheel, the keeper and the staff's desk; holds the resulting
+// pots. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace onggi::app {
 
 class VisitEffects {
   public:
-    // All outlive it.
+    // All references must outlive it.
     VisitEffects(const VisitParts& parts, VisitWheel& wheel, VisitInput& input, visit::VisitDrawing& drawing,
                  visit::VisitJar& jar, visit::VisitTrim& trim, StaffDesk& desk, VisitFlow& flow)
         : parts_(parts),
@@ -31,25 +31,25 @@ class VisitEffects {
           flow_(flow) {}
 
     void apply(const kiosk::Effect& effect, const VisitMoment& moment);
-    // What the keeper has done meanwhile. Once a frame.
+    // Takes the keeper's answers. Call it once a frame.
     void take_answers();
 
-    // The visitor's pot, fired; null before.
+    // The visitor's fired pot; null before the firing.
     [[nodiscard]] const std::shared_ptr<const screens::FiredPot>& pot() const { return pot_; }
-    // The last few pots that were kept, the newest first.
+    // The last kept pots, newest first.
     [[nodiscard]] const std::vector<screens::ShelfPot>& day() const { return day_; }
     [[nodiscard]] std::uint64_t pots_kept() const { return pots_kept_; }  // since the start
-    // How the kept pot goes home by phone; null where it does not, or not yet.
+    // The code of the kept pot for phones; null without sharing or before it is ready.
     [[nodiscard]] const std::shared_ptr<const screens::PhoneWay>& phone_way() const { return phone_way_; }
-    // The wall of the day, the oldest pot first; null or empty: nothing is there.
+    // The wall of the day, oldest first; may be null or empty.
     [[nodiscard]] const std::shared_ptr<const std::vector<screens::ShelfPot>>& wall() const { return wall_; }
-    // When a pot was put there last; long ago, where none was.
+    // The time of the last addition; in the distant past if there was none.
     [[nodiscard]] double put_on_wall_s() const { return put_on_wall_s_; }
     [[nodiscard]] bool quits() const { return quits_; }
     [[nodiscard]] bool restarts() const { return restarts_; }
 
   private:
-    // Each effect, with the moment where it needs one.
+    // Applies one effect; some need the moment.
     void apply_one(const kiosk::effect::StartDemo& /*effect*/, const VisitMoment& moment) {
         wheel_.begin_show(moment.now_s);
     }
@@ -98,10 +98,10 @@ class VisitEffects {
         quits_ = true;
         restarts_ = false;
     }
-    // Of the settings' targets.
+    // The target's index.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
     void write_session();
-    // One by one, what the keeper answers.
+    // The keeper's answers.
     void take(const KeeperAnswer::CutOff& cut);
     void take(const KeeperAnswer::SetAside& aside);
     void take(const KeeperAnswer::Saved& saved);
@@ -112,7 +112,7 @@ class VisitEffects {
     void take(const KeeperAnswer::NotPut&) { wheel_.clay().expect_nothing(); }
     void take(const kiosk::Event& event);
     void take(const KeeperAnswer::Remark&) {}
-    // And the phones' keeper.
+    // The answers of KioskPhone.
     void take(const PhoneAnswer::OfPot& shared);
     void take(const PhoneAnswer::Survey& survey) { desk_.take(survey); }
     void take(const PhoneAnswer::Remark&) {}
@@ -126,17 +126,17 @@ class VisitEffects {
     StaffDesk& desk_;
     VisitFlow& flow_;
     std::shared_ptr<const screens::FiredPot> pot_;
-    std::shared_ptr<const pot::Pot> interrupted_bowl_;  // the first of an interrupted jar
+    std::shared_ptr<const pot::Pot> interrupted_bowl_;  // the first bowl of an interrupted jar
     std::shared_ptr<const decoration::Recorded> interrupted_drawing_;
     std::vector<screens::ShelfPot> day_;
-    bool may_be_trimmed_ = false;  // it is about to be cut off for the first time
-    std::string kept_name_;        // of it, in the gallery
+    bool may_be_trimmed_ = false;  // the pot will be cut off for the first time
+    std::string kept_name_;        // the pot's name in the gallery
     std::shared_ptr<const screens::PhoneWay> phone_way_;
     static constexpr double kLongAgoS = -1e9;
     std::shared_ptr<const std::vector<screens::ShelfPot>> wall_;
     double put_on_wall_s_ = kLongAgoS;
-    bool thrown_ = false;  // clay was put on in this visit
-    int kept_ = 0;         // pots of it
+    bool thrown_ = false;  // clay was put on the wheel in this visit
+    int kept_ = 0;         // number of pots kept in this visit
     std::uint64_t pots_kept_ = 0;
     bool quits_ = false;
     bool restarts_ = false;

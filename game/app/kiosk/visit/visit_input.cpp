@@ -18,12 +18,12 @@ using visit::Finger;
 using visit::open_finger;
 using visit::step_of;
 
-// What works on the clay is the hand, whichever way the clay stands.
+// The hand can work on the clay, upright or upside down.
 bool finger_counts(const kiosk::State& state) {
     return open_finger(state) == Finger::kClay || open_finger(state) == Finger::kFoot;
 }
 
-// Of a pot that stands on its rim, up is down.
+// Swaps up and down for a pot on its rim.
 Button upright(Button button, const kiosk::State& state) {
     if (step_of(state.screen).finger != Finger::kFoot) return button;
     if (button == Button::kHandUp) return Button::kHandDown;
@@ -52,7 +52,7 @@ std::optional<dvec2> place_at(const wheel::LiveView& view, vec2 px) {
 }
 
 bool VisitInput::hovers(double now_s) const {
-    constexpr double kHoversS = 4.0;  // a mouse at rest for longer wants nothing
+    constexpr double kHoversS = 4.0;  // a mouse at rest for longer is ignored
     return now_s - hovered_s_ < kHoversS;
 }
 
@@ -60,7 +60,7 @@ void VisitInput::nudge(Button button) {
     keys_lead_ = true;
     const FingerKey key = finger_key(upright(button, flow_.state()));
     if (step_of(flow_.state().screen).finger == Finger::kFoot) {
-        finger_.key(key, side_of(flow_.state()));  // a trimmer walks along the wall, and draws none up
+        finger_.key(key, side_of(flow_.state()));  // a trimmer follows the wall and does not raise it
     } else {
         finger_.button(key, side_of(flow_.state()));
     }
@@ -119,7 +119,7 @@ bool VisitInput::take_drawing(const PointerNews& news) {
     }
 }
 
-// What lies on the bench is taken by touching it.
+// Touching a tool on the bench takes it.
 bool VisitInput::pick_up(vec2 px) {
     if (open_finger(flow_.state()) != Finger::kClay) return false;
     const auto held = bench_tool_at(bench_tools(parts_, flow_.state()), px);
@@ -206,7 +206,7 @@ void VisitInput::take_devices() {
     const bool has_device = parts_.devices.has_device();
     if (has_device != had_device_) flow_.dispatch(event::Device{.is_there = has_device});
     had_device_ = has_device;
-    // Another device has the tool now: what the finger does from here on is another touch.
+    // If another device has the tool, the finger's next motion begins another touch.
     const std::string holder = parts_.devices.holder();
     if (!holder.empty() && holder != holder_) finger_.release();
     holder_ = holder;

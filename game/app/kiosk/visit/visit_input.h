@@ -1,4 +1,4 @@
-// What a visitor does - by pointer, keys, one switch, devices and gamepads - as events of the visit and as
+// Converts the visitor's input (pointer, keys, one switch, devices, gamepads) to events of the visit and to
 // the finger on the clay. Main thread.
 #pragma once
 
@@ -15,12 +15,13 @@
 
 namespace onggi::app {
 
-// On the upright plane through the axis that faces the camera: how far to the right, and how high, mm.
+// The place of a pixel on the vertical plane through the axis that faces the camera: distance to the right
+// and height, mm.
 [[nodiscard]] std::optional<dvec2> place_at(const wheel::LiveView& view, vec2 px);
 
 class VisitInput {
   public:
-    // All outlive it.
+    // All references must outlive it.
     VisitInput(const VisitParts& parts, KioskFinger& finger, visit::VisitDrawing& drawing,
                const visit::VisitJar& jar, const visit::VisitTrim& trim, VisitFlow& flow)
         : parts_(parts),
@@ -30,29 +31,29 @@ class VisitInput {
           trim_(trim),
           flow_(flow) {}
 
-    // Once a frame.
+    // Call it once a frame.
     void take(const VisitMoment& moment);
-    // One press of the pad's buttons on the screen.
+    // A press of a button of the screen's hand pad.
     void nudge(kiosk::Button button);
 
     [[nodiscard]] KioskPointer& pointer() { return pointer_; }
     [[nodiscard]] const KioskPointer& pointer() const { return pointer_; }
-    // No pointer has been moved since a key or a button of the pad was pressed.
+    // Whether a key or pad button was pressed since the last pointer motion.
     [[nodiscard]] bool keys_lead() const { return keys_lead_; }
     void lead_by_keys() { keys_lead_ = true; }
-    // A mouse with no button held wants something there: it has moved a moment ago.
+    // Whether a mouse without a pressed button has moved recently.
     [[nodiscard]] bool hovers(double now_s) const;
 
   private:
     void take_news(const PointerNews& news, double now_s);
-    // On the pot that is being decorated; false: it is no such news.
+    // Handles input on the pot that is being decorated; returns false for other input.
     bool take_drawing(const PointerNews& news);
-    // On the clay as it stands on the wheel, however it is seen.
+    // The place on the clay as it is on the wheel, also in the view upside down.
     [[nodiscard]] std::optional<dvec2> finger_place(vec2 px) const;
     bool pick_up(vec2 px);
     void take_devices();
     void take_gamepads(const VisitMoment& moment);
-    void help_along();  // draws a finger to the outline that is shown
+    void help_along();  // attracts the finger to the shown outline
 
     const VisitParts& parts_;
     KioskFinger& finger_;
@@ -62,11 +63,11 @@ class VisitInput {
     VisitFlow& flow_;
     KioskPointer pointer_;
     GamepadFinger gamepads_;
-    double hovered_s_ = -1e9;  // when a mouse last moved with no button held
+    double hovered_s_ = -1e9;  // time of the last mouse motion without a button
     bool keys_lead_ = false;
     bool had_device_ = false;
-    std::string holder_;         // the device that has the tool
-    std::optional<int> helped_;  // along the outline of which target, and how far the lesson had come
+    std::string holder_;         // the device with the tool
+    std::optional<int> helped_;  // the target of the shown outline and the lesson's progress
     int helped_steps_ = 0;
     kiosk::JarStep helped_jar_ = kiosk::JarStep::kNone;
     bool full_screen_ = false;

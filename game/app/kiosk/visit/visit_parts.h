@@ -1,4 +1,4 @@
-// What a visit is made of, and how its parts reach each other. Main thread.
+// The collaborators of a visit, and the interface between its parts. Main thread.
 #pragma once
 
 #include <functional>
@@ -19,35 +19,35 @@
 
 namespace onggi::app {
 
-// Volume goes in steps.
+// The number of volume steps.
 constexpr double kLoudestStep = kiosk::kMostVolume;
 
-// What a visit needs; all of it outlives the visit.
+// The collaborators of a visit, which must outlive it.
 struct VisitParts {
     wheel::LiveView& view;
     haptic::HapticJob& job;
     haptic::SimulatedDevice& pointer;  // mouse and touch
     AttachedDevices& devices;
     KioskKeeper& keeper;
-    KioskPhone* phone = nullptr;  // null: nothing is taken home by phone
+    KioskPhone* phone = nullptr;  // null without sharing
     KioskSound& sound;
     const KioskSettings& settings;
     const Show& show;
-    StartReport start{};                                      // what the staff is told of falls before
+    StartReport start{};                                      // earlier crashes, for the staff
     double rate_hz;                                           // of the haptic job
     std::function<int()> minute_of_day = app::minute_of_day;  // local time, for the opening hours
 };
 
-// A frame's moment. The snapshot is the only one that is looked at in it.
+// The data of a frame, with the only snapshot that the frame reads.
 struct VisitMoment {
     double now_s;  // of the monotonic clock
-    double dt_s;   // since the frame before
+    double dt_s;   // since the last frame
     const haptic::Snapshot& snapshot;
 };
 
 using visit::VisitFlow;
 
-// On which side the hand comes to the clay: +1 right, -1 left.
+// The side from which the hand works: +1 right, -1 left.
 [[nodiscard]] inline double side_of(const kiosk::State& state) {
     return state.comfort.left_hand ? -1.0 : 1.0;
 }

@@ -9,7 +9,7 @@
 
 namespace onggi::app {
 
-// Over a wall that covers the scene the camera goes where it will be wanted next, unseen.
+// While a screen hides the scene, the camera moves to its next framing.
 void VisitScene::aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown,
                             bool covered) {
     if (shown == nullptr || covered) parts_.view.scene().jump();
@@ -50,8 +50,7 @@ SceneMarks VisitScene::marks(const kiosk::State& state, const VisitMoment& momen
             .forces = forces(state, moment.snapshot)};
 }
 
-// While the first moves are learnt, what the hand feels is shown at the clay; numbers and plots only to who
-// asks.
+// During the first steps of the lesson the forces are shown at the clay; numbers and plots only on request.
 std::optional<screens::ForceFrame> VisitScene::forces(const kiosk::State& state,
                                                       const haptic::Snapshot& snapshot) const {
     if (visit::open_finger(state) != visit::Finger::kClay) return std::nullopt;
@@ -60,7 +59,7 @@ std::optional<screens::ForceFrame> VisitScene::forces(const kiosk::State& state,
     return forces_.frame(snapshot, sight_of(parts_.view), asked);
 }
 
-// The clay where it carries most.
+// The most loaded part of the clay.
 std::optional<screens::Band> VisitScene::warning_band(const kiosk::State& state,
                                                       const haptic::Snapshot& snapshot) const {
     const bool is_clay = visit::step_of(state.screen).finger == visit::Finger::kClay;
@@ -103,7 +102,7 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
     if (visit::open_finger(state) != visit::Finger::kClay) return std::nullopt;
     const pot::Pot& shape = *moment.snapshot.pot;
     if (const auto wire_mm = wheel_.finger().wire_mm()) {
-        // Where it would cut: a line, and not a belt.
+        // The wire's height: a line instead of a belt.
         constexpr double kHalfMm = 0.5;
         auto line = band_round(shape, *wire_mm - kHalfMm, *wire_mm + kHalfMm);
         return line ? std::optional(screens::Cue{.belt = std::move(*line)}) : std::nullopt;
@@ -156,7 +155,7 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
     return cue;
 }
 
-// The arrow of a step: towards the wall, down into the middle, or up beside the wall.
+// Adds the arrow of a step: towards the wall, down into the middle, or up beside the wall.
 void VisitScene::add_way(screens::Cue& cue, const pot::Pot& shape, int step, double side) const {
     constexpr float kTowardsU = 150.0F;
     constexpr float kBesideU = 50.0F;

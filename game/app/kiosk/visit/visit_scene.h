@@ -1,5 +1,5 @@
-// How the scene is looked at, and what follows the clay over it frame by frame: the camera, the cue for a
-// touch, the band of a warning, the forces. Main thread.
+// The camera, and the marks that follow the clay in each frame: the cue for a touch, the band of a warning,
+// the forces. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace onggi::app {
 
-// What is drawn over the scene in one frame.
+// The marks over the scene in one frame.
 struct SceneMarks {
     std::optional<screens::Band> band{};
     std::optional<screens::Cue> cue{};
@@ -24,7 +24,7 @@ struct SceneMarks {
 
 class VisitScene {
   public:
-    // All outlive it.
+    // All references must outlive it.
     VisitScene(const VisitParts& parts, const VisitWheel& wheel, const VisitInput& input,
                const visit::VisitDrawing& drawing, const visit::VisitTrim& trim)
         : parts_(parts),
@@ -33,25 +33,24 @@ class VisitScene {
           drawing_(drawing),
           trim_(trim) {}
 
-    // shown: the screen that was asked for last, null before the first. covered: nothing of the scene is seen
-    // now.
+    // shown: the last requested screen, null before the first. covered: the scene is completely hidden.
     void aim_camera(const kiosk::State& state, double clay_mm, const screens::View* shown, bool covered);
-    // Where the photographed room ends, as the camera was aimed last.
+    // The photographed room's edges for the camera's last framing.
     [[nodiscard]] SceneEdges edges() const;
-    // Once a frame.
+    // Call it once a frame.
     [[nodiscard]] SceneMarks marks(const kiosk::State& state, const VisitMoment& moment,
                                    const screens::Stage& stage);
 
   private:
-    // What the visitor asked to see, or is being taught by; none: nothing.
+    // The forces that the visitor requested or that the lesson shows, if any.
     [[nodiscard]] std::optional<screens::ForceFrame> forces(const kiosk::State& state,
                                                             const haptic::Snapshot& snapshot) const;
     [[nodiscard]] std::optional<screens::Band> warning_band(const kiosk::State& state,
                                                             const haptic::Snapshot& snapshot) const;
-    // A stretch of the clay from its left edge to its right, as the camera sees it; none where it sees none.
+    // A band of the clay from its left to its right edge in the picture; nothing if it is not visible.
     [[nodiscard]] std::optional<screens::Band> band_round(const pot::Pot& shape, double low_mm,
                                                           double high_mm) const;
-    // What of the clay the hands hold, or a touch would; none where nobody throws.
+    // The cue of the hands' hold or of the next touch; nothing outside the throwing.
     [[nodiscard]] std::optional<screens::Cue> cue(const kiosk::State& state, const VisitMoment& moment,
                                                   const screens::Stage& stage);
     void add_way(screens::Cue& cue, const pot::Pot& shape, int step, double side) const;
@@ -62,9 +61,9 @@ class VisitScene {
     const visit::VisitDrawing& drawing_;
     const visit::VisitTrim& trim_;
     KioskCamera camera_;
-    CameraRequest aimed_;  // as the view was last told
+    CameraRequest aimed_;  // the last request to the view
     KioskCue cue_;
-    std::uint64_t cued_lump_ = 0;  // as VisitWheel::lumps_asked counts
+    std::uint64_t cued_lump_ = 0;  // number of VisitWheel::lumps_asked()
     ForceView forces_;
 };
 

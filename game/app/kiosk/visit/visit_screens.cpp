@@ -12,8 +12,8 @@
 namespace onggi::app {
 namespace {
 
-// Attract mode: the throwing, then a museum's pot, then the wall of the day if there is one, repeatedly.
-// After a pot was put on the wall, the wall is shown first.
+// Attract mode repeats: the throwing, then a museum's pot, then the wall of the day, if there is one. After a
+// pot was put on the wall, the wall comes first.
 constexpr double kAttractThrowsS = 25.0;
 constexpr double kAttractPotS = 20.0;
 constexpr double kAttractWallS = 20.0;
@@ -30,7 +30,7 @@ bool is_for_nobody(const kiosk::ScreenState& state) {
     return visit::step_of(state.screen).whose == visit::Whose::kNobody;
 }
 
-// Also under a panel.
+// True also under a panel.
 bool works_clay(const kiosk::ScreenState& state) {
     return visit::step_of(state.screen).finger == visit::Finger::kClay;
 }
@@ -106,7 +106,7 @@ void VisitScreens::add_attract(screens::View& view, const kiosk::State& state, d
     }
 }
 
-// The newest is left out while it is shown in the middle.
+// The newest pot is left out while it is shown in the middle.
 void VisitScreens::add_shelf(screens::View& view, const kiosk::State& state) {
     const bool without_newest = view.pot && state.keeping.outcome == kiosk::Keeping::Outcome::kKept;
     if (!shelf_ || shelf_kept_ != effects_.pots_kept() || shelf_without_newest_ != without_newest) {
@@ -122,7 +122,7 @@ void VisitScreens::add_shelf(screens::View& view, const kiosk::State& state) {
 bool VisitScreens::is_asked(screens::View& view) const {
     constexpr float kWarningPx = 6.0F;
     if (!asked_) return false;
-    // Ignores their small motions in the comparison, but requests their present places.
+    // Ignores small motions of the outlines in the comparison, but requests their exact places.
     std::vector<std::vector<vec2>> outline_px = view.outline_px;
     const std::optional<vec2> warning_at_px = view.warning_at_px;
     const std::optional<vec2> wire_at_px = view.wire_at_px;

@@ -1,4 +1,4 @@
-// What the screens are told of a moment: a View, handed on where it differs from the one before. Main thread.
+// Builds the View for the screens, and sends it on if it differs from the last. Main thread.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace onggi::app {
 
 class VisitScreens {
   public:
-    // All outlive it.
+    // All references must outlive it.
     VisitScreens(const VisitParts& parts, const VisitEffects& effects, const visit::VisitJar& jar,
                  const KioskPointer& pointer, StaffDesk& desk)
         : parts_(parts),
@@ -29,12 +29,12 @@ class VisitScreens {
     Result<void> start() { return composer_.start(); }
     void stop() noexcept { composer_.stop(); }
 
-    // Nobody is there and the museum is closed.
+    // Whether the museum is closed and there is no visitor.
     [[nodiscard]] bool is_closed(const kiosk::State& state) const;
-    // Once a frame. edges: of the photographed room. wire_mm: how high the wire is held that the hand has.
+    // Call it once a frame. edges: the photographed room's. wire_mm: the height of the held wire.
     void update(const kiosk::State& state, const VisitMoment& moment, const SceneEdges& edges,
                 const std::optional<double>& wire_mm);
-    // What was asked for last; null before the first.
+    // The last requested view; null before the first.
     [[nodiscard]] const screens::View* asked() const { return asked_.get(); }
     [[nodiscard]] screens::Composer& composer() { return composer_; }
 
@@ -45,9 +45,9 @@ class VisitScreens {
     void add_wire(screens::View& view, const haptic::Snapshot& snapshot,
                   const std::optional<double>& wire_mm) const;
     void add_shelf(screens::View& view, const kiosk::State& state);
-    // Whether it is what was asked for last, but for what has moved by less than anybody sees.
+    // Whether it equals the last requested view, except for invisibly small motion.
     [[nodiscard]] bool is_asked(screens::View& view) const;
-    const std::string& caption(const VisitMoment& moment);  // key of what is heard
+    const std::string& caption(const VisitMoment& moment);  // key of the sound's caption
 
     const VisitParts& parts_;
     const VisitEffects& effects_;
@@ -57,10 +57,11 @@ class VisitScreens {
     screens::Composer composer_{visit::compose};
     std::shared_ptr<const screens::View> asked_;
     std::shared_ptr<const std::vector<screens::ShelfPot>> shelf_;
-    std::uint64_t shelf_kept_ = 0;  // pots_kept(), and whether the newest was left out, when it was made
+    std::uint64_t shelf_kept_ =
+        0;  // pots_kept() when the shelf was built, and whether it left out the newest
     bool shelf_without_newest_ = false;
     std::string caption_;
-    double caption_s_ = 0.0;  // since when
+    double caption_s_ = 0.0;  // start time
 };
 
 }  // namespace onggi::app

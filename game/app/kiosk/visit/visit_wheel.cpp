@@ -12,9 +12,9 @@ namespace event = kiosk::event;
 
 namespace {
 
-constexpr double kSunkFraction = 0.8;     // of the height at which it still stood
-constexpr double kSpreadFraction = 1.12;  // of the width: a bowl that spins apart hardly sinks
-constexpr double kFirmly = 0.7;           // of what the clay bears: it stands again
+constexpr double kSunkFraction = 0.8;     // of the height before the failure
+constexpr double kSpreadFraction = 1.12;  // of the width, because a bowl that spins apart hardly sinks
+constexpr double kFirmly = 0.7;           // of the clay's strength: below it the clay stands again
 
 double widest_mm(const pot::Pot& shape) {
     const auto& outer = shape.outer_mm;
@@ -39,7 +39,7 @@ void KioskClay::expect_state(const haptic::Snapshot& now) {
 }
 
 bool KioskClay::is_there(const haptic::Snapshot& snapshot) {
-    // The rings come at a pace of their own, after the numbers or before them.
+    // The rings and the numbers of a snapshot may belong to different ticks.
     if (snapshot.run != run_ || snapshot.pot_stamp.run != run_) return false;
     if (puts_before_ &&
         (snapshot.states_put == *puts_before_ || snapshot.pot_stamp.states_put == *puts_before_))
@@ -56,8 +56,8 @@ std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk:
     const double height_mm = snapshot.pot->height_mm;
     const double width_mm = widest_mm(*snapshot.pot);
     const bool ever_failed = failure.cause != clay::studio::Cause::kNone;
-    // Clay that gave way a little and was saved may be pressed down and drawn out as any other; an earlier
-    // state that was put back is judged from how it stood then.
+    // If the clay gave way a little and recovered, it may be pressed and raised as usual. A restored earlier
+    // state is judged by its own height.
     const bool is_new = standing_height_mm_ == 0.0;
     if (!ever_failed || is_new || (snapshot.load.index < kFirmly && !failure.torn)) {
         standing_height_mm_ = height_mm;
@@ -67,8 +67,7 @@ std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk:
         return news;
     }
     if (failing_tick_ == 0) failing_tick_ = std::max<std::uint64_t>(1, snapshot.tick);
-    // Clay that gives way a little is no failure yet: the pot has to have sunk, or to be spun apart, or a
-    // piece come off.
+    // Giving way a little is no failure yet: the pot must have sunk, spun apart or lost a piece.
     const bool is_sunk = height_mm < kSunkFraction * standing_height_mm_;
     const bool is_spread = snapshot.load.index >= 1.0 && width_mm > kSpreadFraction * standing_width_mm_;
     const bool gave_way = failure.torn || is_sunk || is_spread;
@@ -96,7 +95,7 @@ KioskFault::Advice KioskFault::look(haptics::Fault fault, double now_s) {
 }
 
 void VisitWheel::put_fresh_clay() {
-    // A full ring means that the haptic thread stands still; then the window says nothing new either.
+    // If the ring is full, the haptic thread has stopped, and the window's picture stops too.
     if (parts_.job.send(haptic::Command::kFreshLump)) ++run_;
     clay_.expect_lump(run_);
     finger_.leave_clay();
@@ -110,7 +109,7 @@ void VisitWheel::begin_show(double now_s) {
     demo_since_s_ = now_s;
     const std::vector<Recording>& recordings = parts_.show.recordings;
     shown_ = recordings.empty() ? 0 : shows_begun_++ % recordings.size();
-    // Refused where many states are on their way: then it is tried again when this one should be over.
+    // A full queue of states refuses it; it is tried again after this recording's duration.
     if (!recordings.empty())
         static_cast<void>(parts_.job.put(first_state_of(recordings[*shown_], *shown_), run_));
 }
@@ -121,7 +120,7 @@ bool VisitWheel::play_show(const VisitMoment& moment) {
     if (show.recordings.empty() && !show.gesture) return false;
     const double length_s =
         show.recordings.empty() ? show.gesture->duration_s() : show.recordings[shown_.value_or(0)].seconds();
-    // A recording goes by the ticks of its clay, which may be late.
+    // A recording's time is counted in ticks of its clay, which may be late.
     const double since_s = moment.now_s - demo_since_s_;
     const auto played = moment.snapshot.run == run_
                             ? played_s(moment.snapshot.tick, shown_.value_or(0), parts_.rate_hz)
@@ -138,13 +137,13 @@ void VisitWheel::rearm_force() {
 
 void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     const bool touches = snapshot.result.forces.contacts > 0;
-    // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
+    // A visitor with a device chooses free throwing by touching the clay, without the screen.
     if (open_finger(flow_.state()) == Finger::kLooks && touches && !parts_.devices.holder().empty()) {
         flow_.dispatch(event::ClayTouched{});
         return;
     }
     if (step_of(flow_.state().screen).finger != Finger::kClay) return;
-    // What the wheel's own hands do is not the visitor's touch.
+    // Demonstrating hands are not the visitor's touch.
     const bool holds = parts_.devices.holder().empty() ? finger_.works() && !finger_.shows() : touches;
     const bool held = flow_.state().pace.held;
     if (touches && holds) flow_.dispatch(event::ClayTouched{.goes_on = held});
@@ -178,13 +177,13 @@ void VisitWheel::take_fault(const VisitMoment& moment) {
     }
     if (advice.take_back && advice.wheel_rests) put_fresh_clay();
     if (advice.take_back) rearm_force();
-    // Not under the staff's eyes.
+    // Not while the staff uses the panel.
     if (!advice.wheel_rests && is_fault && flow_.state().panel == Panel::kNone)
         flow_.dispatch(event::FaultOver{});
 }
 
 void VisitWheel::move_hand(const VisitMoment& moment) {
-    // Under the staff's panel nothing moves by itself, so that a hand can be tested.
+    // Under the staff's panel nothing moves automatically, so that a device can be tested.
     if (visit::overlay_of(flow_.state().panel).is_staffs) {
         parts_.pointer.set_target(resting_finger());
         if (demo_runs_ && shown_) put_fresh_clay();
@@ -204,7 +203,7 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
     soak(moment);
 }
 
-// Each time that the wall has gone round under a sponge, the hands are less wet.
+// Each turn of the wall under the sponge takes water from the hands.
 void VisitWheel::soak(const VisitMoment& moment) {
     const haptic::Snapshot& snapshot = moment.snapshot;
     const bool soaks = snapshot.tool.tool == tool::Tool::kSponge && snapshot.tool.guided &&

@@ -1,5 +1,5 @@
-// The wheel under a visit: the clay that was asked for, the demonstrations of attract, the hand that works
-// it, and what clay and force tell the visit. Main thread.
+// The wheel of a visit: the requested clay, the demonstrations of attract mode, the hand, and the events from
+// clay and forces. Main thread.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,28 @@
 
 namespace onggi::app {
 
-// What the clay on the wheel tells a visit: how far the lesson has come, what it warns of, that it gave way.
-// New clay, or an earlier state of it, is on its way for some frames: until it is there, what is on the wheel
-// is the last visitor's, or what sank, and tells nothing. Pure state, no clock. Main thread, once a frame.
+// The events of the clay on the wheel: the lesson's progress, warnings, a collapse. Requested clay takes some
+// frames to arrive; until then the old clay causes no events, be it the last visitor's or the collapsed one.
+// Pure state, no clock. Main thread, once a frame.
 struct ClayNews {
     int steps_done = 0;  // of kiosk::kTeachingSteps
     kiosk::Warning warning = kiosk::Warning::kNone;
-    std::optional<kiosk::Warning> gave_way{};  // by what; said once
+    std::optional<kiosk::Warning> gave_way{};  // the cause; reported once
 };
 
 class KioskClay {
   public:
-    // Another lump was asked for: that run, as Snapshot::run counts.
+    // Expects a requested lump, `run` as of Snapshot::run.
     void expect_lump(std::uint64_t run);
-    // A state of that lump was asked for, an interrupted pot's among them. `now` is what is on the wheel.
+    // Expects a requested state of that lump, for example an interrupted pot's. `now` is the present
+    // snapshot.
     void expect_state(const haptic::Snapshot& now);
-    // It does not come: what is on the wheel stays.
+    // Stops waiting for requested clay: the clay on the wheel stays.
     void expect_nothing() { puts_before_.reset(); }
 
-    // Nothing while what was asked for is on its way. `before`: what is being warned of.
+    // Returns nothing until the requested clay has arrived. `before`: the present warning.
     [[nodiscard]] std::optional<ClayNews> look(const haptic::Snapshot& snapshot, kiosk::Warning before);
-    // The tick at which the clay that gave way began to; 0 while it stands.
+    // The tick at which the collapse began; 0 while the clay stands.
     [[nodiscard]] std::uint64_t began_to_fail_tick() const { return failing_tick_; }
 
   private:
@@ -42,67 +43,67 @@ class KioskClay {
 
     Lesson lesson_;
     std::uint64_t run_ = 0;
-    std::optional<std::uint64_t> puts_before_;  // as Snapshot::states_put counts
+    std::optional<std::uint64_t> puts_before_;  // a number of Snapshot::states_put
     std::uint64_t failing_tick_ = 0;
     bool has_said_ = false;
-    // Before it began to fail.
+    // The height before it began to fail.
     double standing_height_mm_ = 0.0;
     double standing_width_mm_ = 0.0;
 };
 
-// What a latched fault of the safety chain means to a visitor. The force is off; the clay goes on. So whoever
-// throws, by mouse, touch or anything else, goes on too, and is told; only a clay that has lost its senses
-// ends a visit. Pure state, no clock. Main thread, once a frame. s.
+// The kiosk's response to a latched fault of the safety chain. The force is off but the clay still works, so
+// the visitor is informed and may continue. Only an invalid clay state ends a visit. Pure state, no clock.
+// Main thread, once a frame. s.
 class KioskFault {
   public:
-    // How long the wheel waits before it takes a fault back by itself: what passed by needs no staff.
+    // The time before a fault is reset automatically: a transient fault needs no staff.
     static constexpr double kRestS = 5.0;
 
     struct Advice {
-        bool force_rests = false;  // say so, and let the visitor go on
-        bool wheel_rests = false;  // the clay itself is at fault: nobody can throw
-        bool take_back = false;    // try again now
+        bool force_rests = false;  // inform the visitor, who may go on
+        bool wheel_rests = false;  // the clay itself is at fault: throwing is not possible
+        bool take_back = false;    // reset the fault now
     };
-    // now_s ascends. A person's stop is never taken back by a clock, but by whoever takes new clay.
+    // now_s ascends. A stop by a person is never reset by time, only by taking new clay.
     [[nodiscard]] Advice look(haptics::Fault fault, double now_s);
 
   private:
     haptics::Fault last_ = haptics::Fault::kNone;
-    double tried_s_ = 0.0;  // or since when there is one
+    double tried_s_ = 0.0;  // time of the last attempt, or the start of the fault
 };
 
 class VisitWheel {
   public:
-    // Both outlive it.
+    // Glaze and decoration must outlive it.
     VisitWheel(const VisitParts& parts, VisitFlow& flow) : parts_(parts), flow_(flow) {}
 
     void put_fresh_clay();
-    // Takes a fault back, and where a person wishes it a person's stop too.
+    // Resets a fault, and a person's stop too if requested by a person.
     void rearm_force();
-    // Attract: the next recording, on clay of its own.
+    // Attract mode: starts the next recording on its own clay.
     void begin_show(double now_s);
-    // The clay is a visitor's.
+    // Ends the demonstrations: the clay is a visitor's.
     void end_shows() { demo_runs_ = false; }
 
-    // What clay and force tell the visit.
+    // Dispatches the events of clay and forces.
     void take_clay(const haptic::Snapshot& snapshot);
     void take_fault(const VisitMoment& moment);
-    // Where the hand and its tool go next.
+    // Moves the hand and its tool.
     void move_hand(const VisitMoment& moment);
 
     [[nodiscard]] KioskFinger& finger() { return finger_; }
     [[nodiscard]] const KioskFinger& finger() const { return finger_; }
-    // What is on the wheel is what was asked for, as far as the last take_clay() on the throwing screen knew.
+    // Whether the requested clay is on the wheel, as of the last take_clay() on the throwing screen.
     [[nodiscard]] bool clay_is_there() const { return clay_is_there_; }
     [[nodiscard]] KioskClay& clay() { return clay_; }
     [[nodiscard]] bool shows() const { return demo_runs_; }
-    // Of the lump that was asked for last, as Snapshot::run counts.
+    // The run of the last requested lump, see Snapshot::run.
     [[nodiscard]] std::uint64_t run() const { return run_; }
-    // How often one was asked for.
+    // The number of requested lumps.
     [[nodiscard]] std::uint64_t lumps_asked() const { return lumps_asked_; }
 
   private:
-    // False: there is nothing to show.
+    // Returns false if there is nothing to show.
     bool play_show(const VisitMoment& moment);
     void soak(const VisitMoment& moment);
 
@@ -114,11 +115,11 @@ class VisitWheel {
     bool clay_is_there_ = false;
     bool demo_runs_ = true;
     double demo_since_s_ = 0.0;
-    std::optional<std::size_t> shown_;  // the recording, or 0 for the gesture, that is on the wheel
+    std::optional<std::size_t> shown_;  // index of the recording on the wheel, or 0 for the gesture
     std::size_t shows_begun_ = 0;
     std::uint64_t run_ = 0;
     std::uint64_t lumps_asked_ = 0;
-    double soaked_rad_ = 0.0;  // that the wall has turned under the sponge since it last took water
+    double soaked_rad_ = 0.0;  // the wall's rotation under the sponge since it last took water
 };
 
 }  // namespace onggi::app
