@@ -64,13 +64,14 @@ TEST_F(PidDriverTest, BeginsASessionByteForByte) {
         "w 0c 01",             // actuators on, after it
         "w 0d ff",             // device gain
         "s 11 08 00 00", "g 12",
-        "w 01 01 08 f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",  // spring on both axes, 500 ms
+        "w 01 01 08 f4 01 00 00 00 00 00 00 ff 00 04 28 23 00 00 00 00 00 00",  // spring on both axes, 500 ms
         "s 11 01 00 00", "g 12",
-        "w 01 02 01 f4 01 00 00 00 00 00 00 ff 00 06 50 46 00 00 00 00 00 00",  // constant on Y, south
+        "w 01 02 01 f4 01 00 00 00 00 00 00 ff 00 04 00 00 00 00 00 00 00 00",  // constant on Y, from the
+                                                                                // north
         "s 11 09 00 00", "g 12",
-        "w 01 03 09 f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",  // damper
+        "w 01 03 09 f4 01 00 00 00 00 00 00 ff 00 04 28 23 00 00 00 00 00 00",  // damper
         "s 11 0b 00 00", "g 12",
-        "w 01 04 0b f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",  // friction
+        "w 01 04 0b f4 01 00 00 00 00 00 00 ff 00 04 28 23 00 00 00 00 00 00",  // friction
         // Each starts with no force; 3.3 N of 10 N are the most a spring may give: 0.33 of 32767 is 0x2a3d.
         "w 03 01 00 00 00 00 00 00 00 3d 2a 3d 2a 00 00", "w 03 01 01 00 00 00 00 00 00 3d 2a 3d 2a 00 00",
         "w 0a 01 01 01", "w 05 02 00 00", "w 0a 02 01 01", "w 03 03 00 00 00 00 00 00 00 8f 0a 8f 0a 00 00",
@@ -268,12 +269,12 @@ TEST_F(PidDriverTest, PushesByConstantForcesWhereAFirmwareHasNoOneSidedSpring) {
                               hex("06 04 01 00 01")};
     ASSERT_TRUE(driver.start(info, port));
     const Log begun = script->take_sent();
-    EXPECT_NE(std::find(begun.begin(), begun.end(), "w 01 01 01 f4 01 00 00 00 00 ff 00 05 40 00"),
+    EXPECT_NE(std::find(begun.begin(), begun.end(), "w 01 01 01 f4 01 00 00 00 00 ff 00 04 bf 00"),
               begun.end())
-        << "constant on X";
-    EXPECT_NE(std::find(begun.begin(), begun.end(), "w 01 02 01 f4 01 00 00 00 00 ff 00 06 80 00"),
+        << "constant on X, from the west";
+    EXPECT_NE(std::find(begun.begin(), begun.end(), "w 01 02 01 f4 01 00 00 00 00 ff 00 04 00 00"),
               begun.end())
-        << "constant on Y";
+        << "constant on Y, from the north";
     driver.take_report(hex("01 00 00 00 00 00"), 0);
     EXPECT_FALSE(driver.input(0).shows_wall);
     // 0.2 of 10000 is 0x07d0, outwards.
