@@ -25,7 +25,7 @@ constexpr int kResetPauseMs = 10;
 // Where a force comes from, in turns.
 constexpr double kNorth = 0.0;  // pushes to +Y, towards the hand
 constexpr double kWest = 0.75;  // pushes to +X
-// Of a condition: OpenFFBoard before it knew conditions for each axis multiplies them by the sine.
+// Of a condition, east: OpenFFBoard multiplies X's by the sine and Y's by the negative cosine.
 constexpr double kConditionDirection = 0.25;
 // Friction and damping change constantly by imperceptible amounts: coarse steps save reports.
 constexpr double kSteps = 64.0;

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
 
 #include "engine/haptics/hid/hid_device.h"
 #include "tests/support/pid_descriptors.h"
+#include "tests/support/public_devices.h"
 #include "tests/support/scripted_hid.h"
 
 namespace onggi::haptics::hid {
@@ -280,6 +284,68 @@ TEST_F(PidDriverTest, PushesByConstantForcesWhereAFirmwareHasNoOneSidedSpring) {
     // 0.2 of 10000 is 0x07d0, outwards.
     EXPECT_EQ(told({.force_n = {2.0, 0.0}, .tool_mm = {60.0, 100.0}, .ticks = 1}, 0).front(),
               "w 05 01 d0 07");
+}
+
+// As the firmwares compute it: a constant force comes from its direction, clockwise from the side away from
+// the hand (DirectInput's "Effect Direction"; OpenFFBoard's EffectsCalculator, the Arduino library's
+// Joystick.cpp). Returns the push along X and Y, as fractions of full scale.
+dvec2 push_of(const PidLayout& layout, const Log& begun, const Log& told) {
+    const auto read = [&](std::string_view text, PidUsage report, Element element) {
+        const std::vector<std::uint8_t> bytes = hex(text.substr(2));
+        if (text[0] != 'w' || bytes[0] != layout.place(report).id) return std::optional<std::int64_t>();
+        return read_element(std::span(bytes).subspan(1), element);
+    };
+    const Element direction =
+        layout.descriptor().find(ReportKind::kOutput, usage(PidUsage::kDirection), usage(0x0a, 1));
+    std::map<std::int64_t, double> turns;  // of each block
+    for (const std::string& text : begun) {
+        const auto block = read(text, PidUsage::kSetEffect,
+                                layout.element(PidUsage::kSetEffect, usage(PidUsage::kBlockIndex)));
+        if (!block) continue;
+        turns[*block] = static_cast<double>(*read(text, PidUsage::kSetEffect, direction)) /
+                        static_cast<double>(direction.field->logical_max);
+        for (const Usage axis : {kUsageX, kUsageY}) {
+            const Element enable =
+                layout.descriptor().find(ReportKind::kOutput, usage(PidUsage::kAxesEnable), axis);
+            EXPECT_EQ(read(text, PidUsage::kSetEffect, enable), 0) << "void beside a direction: " << text;
+        }
+    }
+    const Element magnitude = layout.element(PidUsage::kSetConstantForce, usage(PidUsage::kMagnitude));
+    dvec2 push{0.0};
+    for (const std::string& text : told) {
+        const auto force = read(text, PidUsage::kSetConstantForce, magnitude);
+        if (!force) continue;
+        const auto block = read(text, PidUsage::kSetConstantForce,
+                                layout.element(PidUsage::kSetConstantForce, usage(PidUsage::kBlockIndex)));
+        const double angle = 2.0 * std::numbers::pi * turns.at(block.value_or(0));
+        push += static_cast<double>(*force) / static_cast<double>(magnitude.field->logical_max) *
+                dvec2(-std::sin(angle), std::cos(angle));
+    }
+    return push;
+}
+
+TEST_F(PidDriverTest, PushesTheStickWhereTheForceGoesOnEachFirmware) {
+    std::vector<std::vector<std::uint8_t>> descriptors{
+        testing::open_ffboard_descriptor(), testing::rhino_descriptor(), testing::sparse_descriptor()};
+    for (const char* firmware :
+         {"adapt-ffb-joy", "ArduinoJoystickWithFFBLibrary, two axes", "DsHidMini, DualShock 3 as one device"})
+        descriptors.push_back(testing::public_device(firmware).info.report_descriptor);
+    for (const std::vector<std::uint8_t>& bytes : descriptors) {
+        info.report_descriptor = bytes;
+        const auto layout = PidLayout::find(ReportDescriptor::parse(bytes).value());
+        ASSERT_TRUE(layout) << layout.error().message;
+        const std::uint8_t load = layout->place(PidUsage::kBlockLoad).id;
+        script->features[load].clear();
+        for (std::uint8_t block = 1; block <= 4; ++block)
+            script->features[load].push_back({load, block, 1, 0, 1});
+        ASSERT_TRUE(driver.start(info, port));
+        const Log begun = script->take_sent();
+        // 2 N of 10 outwards and 1 N up, which is away from the hand: -Y.
+        const dvec2 push =
+            push_of(*layout, begun, told({.force_n = {2.0, 1.0}, .tool_mm = {60.0, 100.0}, .ticks = 1}, 0));
+        EXPECT_NEAR(push.x, driver.input(0).shows_wall ? 0.0 : 0.2, 0.005) << "a wall is a spring";
+        EXPECT_NEAR(push.y, -0.1, 0.005);
+    }
 }
 
 TEST_F(PidDriverTest, RejectsADeviceWithoutForces) {
