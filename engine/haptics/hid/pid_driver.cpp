@@ -22,8 +22,11 @@ constexpr std::int64_t kTellIntervalNs = 4 * kMs;
 constexpr int kLoadTries = 12;
 constexpr int kLoadPauseMs = 5;
 constexpr int kResetPauseMs = 10;
-constexpr double kEast = 0.25;  // +X, in turns
-constexpr double kSouth = 0.5;  // +Y
+// Where a force comes from, in turns.
+constexpr double kNorth = 0.0;  // pushes to +Y, towards the hand
+constexpr double kWest = 0.75;  // pushes to +X
+// Of a condition, east: OpenFFBoard multiplies X's by the sine and Y's by the negative cosine.
+constexpr double kConditionDirection = 0.25;
 // Friction and damping change constantly by imperceptible amounts: coarse steps save reports.
 constexpr double kSteps = 64.0;
 
@@ -168,12 +171,13 @@ Result<std::optional<PidDriver::Effect>> PidDriver::load(HidPort& port, PidUsage
     const bool is_condition = type != PidUsage::kConstantForceType;
     // A condition sets both axes, the unused one to zero: some devices rotate a single condition into the
     // effect's direction.
+    const double force_direction = axis == Axis::kX ? kWest : kNorth;
     const PidEffect settings{.block = effect.block,
                              .type = type,
                              .duration_ms = kEffectMs,
                              .acts_on_x = is_condition || axis == Axis::kX,
                              .acts_on_y = is_condition || axis == Axis::kY,
-                             .direction_turns = axis == Axis::kX ? kEast : kSouth};
+                             .direction_turns = is_condition ? kConditionDirection : force_direction};
     if (auto sent = write(port, set_effect(*layout_, settings)); !sent) return sent.error();
     return std::optional<Effect>(effect);
 }

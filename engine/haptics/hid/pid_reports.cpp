@@ -102,8 +102,15 @@ Report set_effect(const PidLayout& layout, const PidEffect& effect) noexcept {
     filler.put_fraction(PidUsage::kGain, effect.gain);
     // Trigger button, trigger repeat, sample period, start delay and the type-specific offsets stay 0: no
     // button starts it, nothing is delayed, and the device has its own defaults for the rest.
-    filler.put(member(layout, PidUsage::kSetEffect, PidUsage::kAxesEnable, Axis::kX), effect.acts_on_x);
-    filler.put(member(layout, PidUsage::kSetEffect, PidUsage::kAxesEnable, Axis::kY), effect.acts_on_y);
+    // A direction makes the axes' bits void, and like Linux's hid-pidff and Windows this leaves them 0:
+    // ArduinoJoystickWithFFBLibrary, for one, keeps the condition of each axis only if no other bit is set.
+    // With another bit it turns conditions by the direction too, and a spring pushes away from its centre.
+    const bool has_direction = static_cast<bool>(filler.element(usage(PidUsage::kDirectionEnable)));
+    const auto enable = [&](Axis axis, bool acts) {
+        filler.put(member(layout, PidUsage::kSetEffect, PidUsage::kAxesEnable, axis), !has_direction && acts);
+    };
+    enable(Axis::kX, effect.acts_on_x);
+    enable(Axis::kY, effect.acts_on_y);
     filler.put(PidUsage::kDirectionEnable, 1);
     filler.put_turns(member(layout, PidUsage::kSetEffect, PidUsage::kDirection, Axis::kX),
                      effect.direction_turns);

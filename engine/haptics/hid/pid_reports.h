@@ -17,12 +17,12 @@ struct PidEffect {
     std::uint8_t block = 0;  // from Block Load
     PidUsage type = PidUsage::kConstantForceType;
     int duration_ms = 0;
-    double gain = 1.0;  // fraction of full
-    bool acts_on_x = false;
+    double gain = 1.0;       // fraction of full
+    bool acts_on_x = false;  // for a device without a direction
     bool acts_on_y = false;
-    // In turns clockwise from north (PID 1.0, direction): 0.25 is east, +X; 0.5 south, +Y towards the hand.
-    // Makers disagree whether a force comes from there or goes there, so the sign must be found for each
-    // device.
+    // Where a positive force comes from, in turns clockwise from north, as for a wind: 0.25 is east, and the
+    // stick is pushed west, to -X; 0.5 is south, the hand's side. So say DirectInput's "Effect Direction" and
+    // SDL's SDL_HapticDirection, and so compute OpenFFBoard and ArduinoJoystickWithFFBLibrary.
     double direction_turns = 0.0;
 };
 

@@ -118,7 +118,8 @@ class DescriptorReader {
             case kFeature:
                 return take_main(item, ReportKind::kFeature);
             case kOpenCollection:
-                return open_collection(item);
+                open_collection(item);
+                return {};
             case kEndCollection:
                 locals_ = {};
                 if (open_.empty()) return refusal(item.offset, "an open collection to end", "none");
@@ -202,9 +203,10 @@ class DescriptorReader {
         // A maximum may omit its page and take the minimum's.
         if (local.has_page && (local.last >> 16U) == 0) local.last |= local.first & 0xffff0000U;
         if (!local.has_page) local.last &= 0xffffU;
+        // A maximum below its minimum or on another page bounds nothing: the usages count on from the
+        // minimum, as in Linux.
         if (local.last < local.first || (local.last >> 16U) != (local.first >> 16U))
-            return refusal(item.offset, "a usage maximum at or above its minimum on the same page",
-                           fmt::format("{:#x} to {:#x}", local.first, local.last));
+            local.last = local.first | 0xffffU;
         locals_.usages.push_back(
             local);  // ranges are not expanded, so memory is bounded by the descriptor's length
         return {};
@@ -214,17 +216,13 @@ class DescriptorReader {
         return local.has_page ? id : usage(globals_.usage_page, static_cast<std::uint16_t>(id));
     }
 
-    Result<void> open_collection(const Item& item) {
-        if (open_.size() == kMaxCollectionDepth)
-            return refusal(item.offset, fmt::format("collections at most {} deep", kMaxCollectionDepth),
-                           "one more");
+    void open_collection(const Item& item) {
         Collection collection{.type = static_cast<std::uint8_t>(item.value), .parent = innermost()};
         if (!locals_.usages.empty())
             collection.usage = with_page(locals_.usages.front(), locals_.usages.front().first);
         locals_ = {};
         open_.push_back(static_cast<int>(result_.collections_.size()));
         result_.collections_.push_back(collection);
-        return {};
     }
 
     Result<void> take_main(const Item& item, ReportKind kind) {
@@ -246,8 +244,6 @@ class DescriptorReader {
 
         // Padding, and a field too wide for a number, only advances the offset.
         if ((item.value & kConstant) != 0 || globals_.report_size > 32 || bits == 0) return {};
-        if (result_.fields_.size() == kMaxFields)
-            return refusal(item.offset, fmt::format("at most {} fields", kMaxFields), "one more");
         Field field;
         field.kind = kind;
         field.report_id = globals_.report_id;
@@ -255,10 +251,12 @@ class DescriptorReader {
         field.bit_size = globals_.report_size;
         field.count = globals_.report_count;
         field.logical_min = globals_.logical_min;
-        field.logical_max = globals_.logical_min < 0 ? globals_.logical_max : globals_.logical_max_unsigned;
+        const bool is_signed = globals_.logical_min < 0 && globals_.logical_max >= globals_.logical_min;
+        field.logical_max = is_signed ? globals_.logical_max : globals_.logical_max_unsigned;
         if (field.logical_max < field.logical_min)
             return refusal(item.offset, "a logical maximum at or above the minimum",
                            fmt::format("{} to {}", field.logical_min, field.logical_max));
+        if (locals.usages.empty()) return {};  // names nothing
         field.is_array = (item.value & kVariable) == 0;
         field.is_relative = (item.value & kRelative) != 0;
         field.collection = innermost();

@@ -1,6 +1,7 @@
 // Parses a HID report descriptor into a list of fields. Pure; any thread; allocates in proportion to the
 // descriptor, which is at most 4096 bytes. Source: "Device Class Definition for HID" 1.11, sections 5 and
-// 6.2.2 (USB Implementers' Forum).
+// 6.2.2 (USB Implementers' Forum). Devices are made to work with hosts, not with the standard: what Linux's
+// hid-core accepts is accepted here.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +35,7 @@ struct Field {
     std::uint32_t bit_size = 0;    // of one element, 1 to 32
     std::uint32_t count = 0;
     // The range of values. Some descriptors write 0..65535 with a negative 16-bit maximum: if the minimum is
-    // not negative, the maximum is read as unsigned.
+    // not negative, or above the signed maximum, the maximum is read as unsigned.
     std::int64_t logical_min = 0;
     std::int64_t logical_max = 0;
     bool is_array =
@@ -61,12 +62,11 @@ struct Collection {
     int parent = -1;
 };
 
-// Bounds, each far above what real devices need; beyond one the descriptor is refused.
-constexpr std::size_t kMaxDescriptorBytes = 4096;  // the Linux kernel's limit
-constexpr std::size_t kMaxCollectionDepth = 32;
+// Bounds, none below the Linux kernel's; beyond one the descriptor is refused. Collections and fields are
+// bounded by the descriptor's length.
+constexpr std::size_t kMaxDescriptorBytes = 4096;
 constexpr std::size_t kMaxPushDepth = 16;
-constexpr std::size_t kMaxFields = 2048;
-constexpr std::uint32_t kMaxReportBits = 8 * 4096;
+constexpr std::uint32_t kMaxReportBits = 8 * 16384;
 
 class ReportDescriptor {
   public:

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
 
 #include "engine/haptics/hid/hid_device.h"
 #include "tests/support/pid_descriptors.h"
+#include "tests/support/public_devices.h"
 #include "tests/support/scripted_hid.h"
 
 namespace onggi::haptics::hid {
@@ -64,13 +68,14 @@ TEST_F(PidDriverTest, BeginsASessionByteForByte) {
         "w 0c 01",             // actuators on, after it
         "w 0d ff",             // device gain
         "s 11 08 00 00", "g 12",
-        "w 01 01 08 f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",  // spring on both axes, 500 ms
+        "w 01 01 08 f4 01 00 00 00 00 00 00 ff 00 04 28 23 00 00 00 00 00 00",  // spring on both axes, 500 ms
         "s 11 01 00 00", "g 12",
-        "w 01 02 01 f4 01 00 00 00 00 00 00 ff 00 06 50 46 00 00 00 00 00 00",  // constant on Y, south
+        "w 01 02 01 f4 01 00 00 00 00 00 00 ff 00 04 00 00 00 00 00 00 00 00",  // constant on Y, from the
+                                                                                // north
         "s 11 09 00 00", "g 12",
-        "w 01 03 09 f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",  // damper
+        "w 01 03 09 f4 01 00 00 00 00 00 00 ff 00 04 28 23 00 00 00 00 00 00",  // damper
         "s 11 0b 00 00", "g 12",
-        "w 01 04 0b f4 01 00 00 00 00 00 00 ff 00 07 28 23 00 00 00 00 00 00",  // friction
+        "w 01 04 0b f4 01 00 00 00 00 00 00 ff 00 04 28 23 00 00 00 00 00 00",  // friction
         // Each starts with no force; 3.3 N of 10 N are the most a spring may give: 0.33 of 32767 is 0x2a3d.
         "w 03 01 00 00 00 00 00 00 00 3d 2a 3d 2a 00 00", "w 03 01 01 00 00 00 00 00 00 3d 2a 3d 2a 00 00",
         "w 0a 01 01 01", "w 05 02 00 00", "w 0a 02 01 01", "w 03 03 00 00 00 00 00 00 00 8f 0a 8f 0a 00 00",
@@ -268,17 +273,79 @@ TEST_F(PidDriverTest, PushesByConstantForcesWhereAFirmwareHasNoOneSidedSpring) {
                               hex("06 04 01 00 01")};
     ASSERT_TRUE(driver.start(info, port));
     const Log begun = script->take_sent();
-    EXPECT_NE(std::find(begun.begin(), begun.end(), "w 01 01 01 f4 01 00 00 00 00 ff 00 05 40 00"),
+    EXPECT_NE(std::find(begun.begin(), begun.end(), "w 01 01 01 f4 01 00 00 00 00 ff 00 04 bf 00"),
               begun.end())
-        << "constant on X";
-    EXPECT_NE(std::find(begun.begin(), begun.end(), "w 01 02 01 f4 01 00 00 00 00 ff 00 06 80 00"),
+        << "constant on X, from the west";
+    EXPECT_NE(std::find(begun.begin(), begun.end(), "w 01 02 01 f4 01 00 00 00 00 ff 00 04 00 00"),
               begun.end())
-        << "constant on Y";
+        << "constant on Y, from the north";
     driver.take_report(hex("01 00 00 00 00 00"), 0);
     EXPECT_FALSE(driver.input(0).shows_wall);
     // 0.2 of 10000 is 0x07d0, outwards.
     EXPECT_EQ(told({.force_n = {2.0, 0.0}, .tool_mm = {60.0, 100.0}, .ticks = 1}, 0).front(),
               "w 05 01 d0 07");
+}
+
+// As the firmwares compute it: a constant force comes from its direction, clockwise from the side away from
+// the hand (DirectInput's "Effect Direction"; OpenFFBoard's EffectsCalculator, the Arduino library's
+// Joystick.cpp). Returns the push along X and Y, as fractions of full scale.
+dvec2 push_of(const PidLayout& layout, const Log& begun, const Log& told) {
+    const auto read = [&](std::string_view text, PidUsage report, Element element) {
+        const std::vector<std::uint8_t> bytes = hex(text.substr(2));
+        if (text[0] != 'w' || bytes[0] != layout.place(report).id) return std::optional<std::int64_t>();
+        return read_element(std::span(bytes).subspan(1), element);
+    };
+    const Element direction =
+        layout.descriptor().find(ReportKind::kOutput, usage(PidUsage::kDirection), usage(0x0a, 1));
+    std::map<std::int64_t, double> turns;  // of each block
+    for (const std::string& text : begun) {
+        const auto block = read(text, PidUsage::kSetEffect,
+                                layout.element(PidUsage::kSetEffect, usage(PidUsage::kBlockIndex)));
+        if (!block) continue;
+        turns[*block] = static_cast<double>(*read(text, PidUsage::kSetEffect, direction)) /
+                        static_cast<double>(direction.field->logical_max);
+        for (const Usage axis : {kUsageX, kUsageY}) {
+            const Element enable =
+                layout.descriptor().find(ReportKind::kOutput, usage(PidUsage::kAxesEnable), axis);
+            EXPECT_EQ(read(text, PidUsage::kSetEffect, enable), 0) << "void beside a direction: " << text;
+        }
+    }
+    const Element magnitude = layout.element(PidUsage::kSetConstantForce, usage(PidUsage::kMagnitude));
+    dvec2 push{0.0};
+    for (const std::string& text : told) {
+        const auto force = read(text, PidUsage::kSetConstantForce, magnitude);
+        if (!force) continue;
+        const auto block = read(text, PidUsage::kSetConstantForce,
+                                layout.element(PidUsage::kSetConstantForce, usage(PidUsage::kBlockIndex)));
+        const double angle = 2.0 * std::numbers::pi * turns.at(block.value_or(0));
+        push += static_cast<double>(*force) / static_cast<double>(magnitude.field->logical_max) *
+                dvec2(-std::sin(angle), std::cos(angle));
+    }
+    return push;
+}
+
+TEST_F(PidDriverTest, PushesTheStickWhereTheForceGoesOnEachFirmware) {
+    std::vector<std::vector<std::uint8_t>> descriptors{
+        testing::open_ffboard_descriptor(), testing::rhino_descriptor(), testing::sparse_descriptor()};
+    for (const char* firmware :
+         {"adapt-ffb-joy", "ArduinoJoystickWithFFBLibrary, two axes", "DsHidMini, DualShock 3 as one device"})
+        descriptors.push_back(testing::public_device(firmware).info.report_descriptor);
+    for (const std::vector<std::uint8_t>& bytes : descriptors) {
+        info.report_descriptor = bytes;
+        const auto layout = PidLayout::find(ReportDescriptor::parse(bytes).value());
+        ASSERT_TRUE(layout) << layout.error().message;
+        const std::uint8_t load = layout->place(PidUsage::kBlockLoad).id;
+        script->features[load].clear();
+        for (std::uint8_t block = 1; block <= 4; ++block)
+            script->features[load].push_back({load, block, 1, 0, 1});
+        ASSERT_TRUE(driver.start(info, port));
+        const Log begun = script->take_sent();
+        // 2 N of 10 outwards and 1 N up, which is away from the hand: -Y.
+        const dvec2 push =
+            push_of(*layout, begun, told({.force_n = {2.0, 1.0}, .tool_mm = {60.0, 100.0}, .ticks = 1}, 0));
+        EXPECT_NEAR(push.x, driver.input(0).shows_wall ? 0.0 : 0.2, 0.005) << "a wall is a spring";
+        EXPECT_NEAR(push.y, -0.1, 0.005);
+    }
 }
 
 TEST_F(PidDriverTest, RejectsADeviceWithoutForces) {

@@ -33,7 +33,7 @@ std::string bytes_of(const Report& report) {
     return as_hex(report.view());
 }
 
-constexpr PidEffect kPushEast{.block = 3,
+constexpr PidEffect kFromEast{.block = 3,
                               .type = PidUsage::kConstantForceType,
                               .duration_ms = 500,
                               .acts_on_x = true,
@@ -85,16 +85,16 @@ TEST(PidReports, ReadTheBlockTheDeviceGave) {
 
 TEST(PidReports, SetAnEffectInTheBoardsLayout) {
     // id block type duration repeat sample delay gain button axes direction 1 and 2, type-specific 1 and 2
-    EXPECT_EQ(bytes_of(set_effect(kBoard, kPushEast)),
-              "01 03 01 f4 01 00 00 00 00 00 00 ff 00 05 28 23 00 00 00 00 00 00");
+    EXPECT_EQ(bytes_of(set_effect(kBoard, kFromEast)),
+              "01 03 01 f4 01 00 00 00 00 00 00 ff 00 04 28 23 00 00 00 00 00 00");
     EXPECT_EQ(bytes_of(set_effect(kBoard, kSpring)),
-              "01 04 08 f4 01 00 00 00 00 00 00 80 00 07 50 46 00 00 00 00 00 00");
+              "01 04 08 f4 01 00 00 00 00 00 00 80 00 04 50 46 00 00 00 00 00 00");
 }
 
 TEST(PidReports, SetAnEffectInTheRhinosLayout) {
     // id block type duration repeat sample gain button axes directions delay
-    EXPECT_EQ(bytes_of(set_effect(kRhino, kPushEast)), "65 03 01 f4 01 00 00 00 00 00 10 00 05 40 00 00 00");
-    EXPECT_EQ(bytes_of(set_effect(kRhino, kSpring)), "65 04 08 f4 01 00 00 00 00 00 08 00 07 80 00 00 00");
+    EXPECT_EQ(bytes_of(set_effect(kRhino, kFromEast)), "65 03 01 f4 01 00 00 00 00 00 10 00 04 40 00 00 00");
+    EXPECT_EQ(bytes_of(set_effect(kRhino, kSpring)), "65 04 08 f4 01 00 00 00 00 00 08 00 04 80 00 00 00");
 }
 
 TEST(PidReports, SetAConditionForEachAxis) {
@@ -148,7 +148,7 @@ TEST(PidReports, OmitFieldsThatAFirmwareLacks) {
     EXPECT_EQ(bytes_of(set_condition(kSparse, 2, Axis::kX, {.centre = 1.0, .positive_coefficient = 1.0})),
               "03 02 10 27 10 27 10 27");
     EXPECT_EQ(set_condition(kSparse, 2, Axis::kY, {}).size, 0U) << "it cannot tell the axes apart";
-    EXPECT_EQ(bytes_of(set_effect(kSparse, kPushEast)), "01 03 01 f4 01 00 00 00 00 ff 00 05 40 00");
+    EXPECT_EQ(bytes_of(set_effect(kSparse, kFromEast)), "01 03 01 f4 01 00 00 00 00 ff 00 04 40 00");
     EXPECT_FALSE(kSparse.place(PidUsage::kState));
     EXPECT_FALSE(pid_device_state(kSparse, hex("02 1f")));
 }

@@ -171,26 +171,63 @@ TEST(ReportDescriptor, RejectsTruncatedAndOutOfBoundsItemsWithTheirOffset) {
     EXPECT_EQ(refusal_of({0xb4}),
               "report descriptor: byte 0: expected something pushed to pop, found nothing");
     EXPECT_EQ(refusal_of({0x97, 0xff, 0xff, 0xff, 0xff}),
-              "report descriptor: byte 0: expected a report count up to 32768, found 4294967295");
-    EXPECT_EQ(refusal_of({0x19, 0x05, 0x29, 0x01}),
-              "report descriptor: byte 2: expected a usage maximum at or above its minimum on the same page, "
-              "found 0x5 to 0x1");
+              "report descriptor: byte 0: expected a report count up to 131072, found 4294967295");
     EXPECT_EQ(refusal_of({0x15, 0x05, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02}),
               "report descriptor: byte 8: expected a logical maximum at or above the minimum, found 5 to 1");
 }
 
 TEST(ReportDescriptor, RejectsHostileNestingAndSizes) {
-    EXPECT_NE(refusal_of(std::vector<std::uint8_t>(4096, 0xa0)).find("at most 32 deep"), std::string::npos);
+    EXPECT_NE(refusal_of(std::vector<std::uint8_t>(4096, 0xa0)).find("found one left open"),
+              std::string::npos);
     EXPECT_NE(refusal_of(std::vector<std::uint8_t>(4096, 0xa4)).find("at most 16 pushes"), std::string::npos);
     EXPECT_NE(refusal_of(std::vector<std::uint8_t>(4097, 0xa4)).find("at most 4096 bytes"),
               std::string::npos);
     // 32768 elements of 32768 bits each: no memory is taken for them.
-    EXPECT_NE(refusal_of({0x76, 0x00, 0x80, 0x96, 0x00, 0x80, 0x81, 0x02}).find("at most 32768 bits"),
+    EXPECT_NE(refusal_of({0x76, 0x00, 0x80, 0x96, 0x00, 0x80, 0x81, 0x02}).find("at most 131072 bits"),
               std::string::npos);
     std::vector<std::uint8_t> many{0x75, 0x01, 0x95, 0x01};
     for (int field = 0; field < 2040; ++field)
         many.insert(many.end(), {0x81, 0x02});
     EXPECT_EQ(refusal_of(many), "accepted");
+}
+
+// Each is outside the standard, or was outside a bound of this parser, and devices that have it work in
+// Linux.
+TEST(ReportDescriptor, AcceptsWhatLinuxAccepts) {
+    std::vector<std::uint8_t> deep(1000, 0xa0);
+    deep.insert(deep.end(), 1000, 0xc0);
+    EXPECT_EQ(refusal_of(deep), "accepted") << "collections a thousand deep";
+    EXPECT_EQ(refusal_of({0x75, 0x20, 0x96, 0xff, 0x0f, 0x09, 0x01, 0x81, 0x02}), "accepted")
+        << "a report of 16380 bytes";
+    EXPECT_EQ(refusal_of({0x75, 0x01, 0x95, 0x01, 0xb1, 0x01}), "accepted") << "padding without a collection";
+    std::vector<std::uint8_t> fields{0x75, 0x01, 0x95, 0x01};
+    fields.resize(4096, 0x80);
+    EXPECT_EQ(refusal_of(fields), "accepted") << "four thousand fields that name nothing";
+
+    const ReportDescriptor reversed =
+        parsed(HidDescriptorBuilder().page(0x09).usage_range(5, 1).logical(0, 1).size(1, 3).input());
+    EXPECT_EQ(reversed.find(ReportKind::kInput, 0, usage(0x09, 7)).index, 2U)
+        << "a maximum below its minimum: the usages count on from the minimum";
+    const ReportDescriptor other_page = parsed(HidDescriptorBuilder()
+                                                   .page(0x09)
+                                                   .usage_range(0x00090001, 0x000c0003)
+                                                   .logical(0, 1)
+                                                   .size(1, 3)
+                                                   .input());
+    EXPECT_EQ(other_page.find(ReportKind::kInput, 0, usage(0x09, 3)).index, 2U);
+
+    // A maximum before its minimum: Linux reads 25 80 as 128 then; -1 to -128 is no range.
+    const ReportDescriptor range = parsed(HidDescriptorBuilder()
+                                              .page(0x01)
+                                              .usage(0x30)
+                                              .bare(0x25)
+                                              .bare(0x80)
+                                              .bare(0x15)
+                                              .bare(0xff)
+                                              .size(16, 1)
+                                              .input());
+    ASSERT_EQ(range.fields().size(), 1U);
+    EXPECT_EQ(range.fields().front().logical_max, 128);
 }
 
 TEST(ReportDescriptor, NeverReadsOutsideForAnyBytes) {
