@@ -1,5 +1,6 @@
 // Serves the outbox to phones over HTTP/1.1 (libmicrohttpd): no cookies, no log, no listing.
-// game/sharing/share_request.h interprets the requests. One thread, the one that calls run().
+// game/sharing/request_head.h decides which heads the library gets to see, and share_request.h what it
+// answers. One thread, the one that calls run().
 #pragma once
 
 #include <cstddef>
@@ -15,8 +16,7 @@
 namespace onggi::app {
 
 // The deadline of each connection: a client that sends its request or takes its file byte by byte is cut off,
-// sooner when there are many connections, and one that disconnects before its request at once. The caller
-// passes the time. Any one thread.
+// sooner when there are many connections. The caller passes the time. Any one thread.
 struct DeadlineRules {
     double head_s = 10.0;         // for a whole request header, and for silence
     double crowded_head_s = 1.0;  // the same in a crowd
@@ -27,6 +27,7 @@ struct DeadlineRules {
     std::size_t most_heads = 448;
     double answer_s = 20.0;         // for an answer, plus
     double bytes_per_s = 16'384.0;  // its transfer time at this rate
+    double refusal_s = 2.0;         // for a refusal, until the client closes
 };
 
 class Deadlines {
@@ -59,6 +60,10 @@ class Deadlines {
         connection->until_s = now_s + rules_.answer_s + static_cast<double>(bytes) / rules_.bytes_per_s;
         connection->is_answered = true;
     }
+    void refuses(Handle connection, double now_s) const {
+        connection->until_s = now_s + rules_.refusal_s;
+        connection->is_answered = true;
+    }
     // The connection may send its next request.
     void has_answered(Handle connection, double now_s) const {
         connection->since_s = now_s;
@@ -68,16 +73,14 @@ class Deadlines {
     void remove(Handle connection) { connections_.erase(connection); }
     [[nodiscard]] std::size_t size() const { return connections_.size(); }
 
-    // Calls cut(socket) once for each connection past its deadline, and for each idle one with
-    // has_gone(socket).
-    template <typename HasGone, typename Cut>
-    void sweep(double now_s, HasGone has_gone, Cut cut) {
+    // Calls cut(socket) once for each connection past its deadline.
+    template <typename Cut>
+    void sweep(double now_s, Cut cut) {
         const bool is_crowded = connections_.size() >= rules_.crowd;
         for (Connection& connection : connections_) {
             if (connection.is_cut) continue;
             const bool is_in_the_way = is_crowded && now_s >= connection.since_s + rules_.crowded_head_s;
-            const bool is_idle = !connection.is_answered && (is_in_the_way || has_gone(connection.socket));
-            if (now_s < connection.until_s && !is_idle) continue;
+            if (now_s < connection.until_s && (connection.is_answered || !is_in_the_way)) continue;
             connection.is_cut = true;
             cut(connection.socket);
         }

@@ -7,10 +7,9 @@
 namespace onggi::app {
 namespace {
 
-std::vector<int> cut_at(Deadlines& deadlines, double now_s, int gone = -1) {
+std::vector<int> cut_at(Deadlines& deadlines, double now_s) {
     std::vector<int> cut;
-    deadlines.sweep(
-        now_s, [&](int socket) { return socket == gone; }, [&](int socket) { cut.push_back(socket); });
+    deadlines.sweep(now_s, [&](int socket) { cut.push_back(socket); });
     return cut;
 }
 
@@ -33,16 +32,12 @@ TEST(Deadlines, CloseAConnectionWithoutARequest) {
     EXPECT_EQ(deadlines.size(), 1U);
 }
 
-TEST(Deadlines, CloseAConnectionGoneBeforeItsRequest) {
+TEST(Deadlines, GiveARefusedClientTwoSecondsToClose) {
     Deadlines deadlines;
-    static_cast<void>(add(deadlines, 3, 0.0));
-    const auto served = add(deadlines, 4, 0.0);
-    deadlines.answers(served, 0.1, 1000);
-    EXPECT_TRUE(cut_at(deadlines, 0.2, 4).empty()) << "it may have closed its own half and listen";
-    EXPECT_EQ(cut_at(deadlines, 0.2, 3), std::vector<int>{3});
-    EXPECT_TRUE(cut_at(deadlines, 0.3, 3).empty()) << "once";
-    deadlines.has_answered(served, 0.4);
-    EXPECT_EQ(cut_at(deadlines, 0.5, 4), std::vector<int>{4});
+    const auto refused = add(deadlines, 3, 0.0);
+    deadlines.refuses(refused, 5.0);
+    EXPECT_TRUE(cut_at(deadlines, 6.9).empty());
+    EXPECT_EQ(cut_at(deadlines, 7.0), std::vector<int>{3});
 }
 
 TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
