@@ -12,6 +12,7 @@
 #include "game/app/sharing/listen_place.h"
 #include "game/sharing/outbox.h"
 #include "tests/sharing/http_client.h"
+#include "tests/sharing/request_heads.h"
 #include "tests/support/shared_pot_samples.h"
 #include "tests/support/temporary_folder.h"
 
@@ -129,6 +130,68 @@ TEST_F(ShareServerAtWork, TellsAGuessingClientToWait) {
     EXPECT_EQ(answers, (std::map<int, int>{{404, 25}, {429, 95}}));
     now_s_ += 1.0;
     EXPECT_EQ(status_of(page()), 200);
+}
+
+TEST_F(ShareServerAtWork, RefusesInOneAnswerWhatTheStandardWantsRefused) {
+    for (const test::HeadCase& one : test::refused_heads()) {
+        now_s_ += 1.0;  // no limit of requests
+        const std::string expected = "HTTP/1.1 " + std::to_string(one.status) + " ";
+        const std::size_t middle = one.bytes.size() / 2;
+        test::HttpClient whole(port_, 500);
+        whole.say(one.bytes);
+        test::HttpClient split(port_, 500);
+        split.say(one.bytes.substr(0, middle));
+        test::HttpClient second(port_, 500);
+        second.say(page());
+        turn(3);
+        EXPECT_EQ(second.answer().status, 200);
+        split.say(one.bytes.substr(middle));
+        second.say(one.bytes);
+        turn();
+        for (test::HttpClient* const client : {&whole, &split, &second}) {
+            bool closed = false;
+            const std::string said = client->rest(&closed);
+            EXPECT_TRUE(said.starts_with(expected)) << one.section << "\n" << said;
+            EXPECT_NE(said.find("Connection: close\r\n"), std::string::npos) << one.section;
+            EXPECT_EQ(said.find("HTTP/1.1", 1), std::string::npos) << one.section << "\n" << said;
+            EXPECT_TRUE(closed) << one.section;
+        }
+    }
+    turn(20);
+    EXPECT_EQ(server_->connections(), 0U);
+}
+
+TEST_F(ShareServerAtWork, AnswersWhatIsUnusualAndAllowed) {
+    for (const test::HeadCase& one : test::answered_heads())
+        EXPECT_EQ(status_of(one.bytes), one.status) << one.section;
+}
+
+// Sent ahead: each is answered in its turn, and what follows a bad one is not.
+TEST_F(ShareServerAtWork, AnswersRequestsThatAreSentAheadUpToABadOne) {
+    test::HttpClient client(port_, 500);
+    client.say(page() + page());
+    turn();
+    EXPECT_EQ(client.answer().status, 200);
+    EXPECT_EQ(client.answer().status, 200);
+    client.say(page() + "GET / HTTP/1.1\r\n\r\n" + page());
+    turn();
+    EXPECT_EQ(client.answer().status, 200);
+    bool closed = false;
+    EXPECT_EQ(client.rest(&closed).find("200"), std::string::npos);
+    EXPECT_TRUE(closed);
+}
+
+TEST_F(ShareServerAtWork, HearsARefusedClientUntilItCloses) {
+    test::HttpClient client(port_, 500);
+    client.say("GET / HTTP/1.1\r\n\r\n");
+    turn();
+    EXPECT_EQ(server_->connections(), 1U);
+    EXPECT_TRUE(client.say(std::string(100'000, 'x'))) << "no reset that would lose the refusal";
+    turn();
+    EXPECT_EQ(client.answer().status, 400);
+    now_s_ += 2.1;
+    turn();
+    EXPECT_EQ(server_->connections(), 0U);
 }
 
 TEST_F(ShareServerAtWork, GivesASecondAnswerOnTheSameConnection) {
