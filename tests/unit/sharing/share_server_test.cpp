@@ -143,11 +143,11 @@ TEST_F(ShareServerAtWork, RefusesInOneAnswerWhatTheStandardWantsRefused) {
         split.say(one.bytes.substr(0, middle));
         test::HttpClient second(port_, 500);
         second.say(page());
-        turn(3);
+        turn(2);
         EXPECT_EQ(second.answer().status, 200);
         split.say(one.bytes.substr(middle));
         second.say(one.bytes);
-        turn();
+        turn(2);
         for (test::HttpClient* const client : {&whole, &split, &second}) {
             bool closed = false;
             const std::string said = client->rest(&closed);
