@@ -363,7 +363,9 @@ class MicroServer final : public ShareServer {
 
     // The listening socket reports newcomers once; those that find no room wait in its queue.
     void accept_new() {
-        while (has_newcomers_ && clients_.size() < most_connections_) {
+        while (has_newcomers_) {
+            if (clients_.size() >= most_connections_)
+                return deadlines_.end_a_slow_answer(options_.now_s(), &MicroServer::cut);
             Client client{.address_size = sizeof(sockaddr_storage)};
             client.socket = ::accept4(options_.listening_socket, reinterpret_cast<sockaddr*>(&client.address),
                                       &client.address_size, SOCK_NONBLOCK | SOCK_CLOEXEC);

@@ -21,10 +21,12 @@ struct DeadlineRules {
     double head_s = 10.0;         // for a whole request header, and for silence
     double crowded_head_s = 1.0;  // the same in a crowd
     std::size_t crowd = 384;      // connections that make a crowd
-    // Connections without a whole request. A new one beyond these replaces the oldest, so that open headers
-    // keep no other phone out, whether it has the same address or not.
-    std::size_t most_heads_an_address = 96;
-    std::size_t most_heads = 448;
+    // Connections without a whole request, and as many with an answer. A newcomer beyond these replaces the
+    // oldest, but no answer younger than slow_answer_s, so that open heads and slow readers keep no other
+    // phone out, whether it has the same address or not.
+    std::size_t most_an_address = 96;
+    std::size_t most = 448;
+    double slow_answer_s = 5.0;
     double answer_s = 20.0;         // for an answer, plus
     double bytes_per_s = 16'384.0;  // its transfer time at this rate
     double refusal_s = 2.0;         // for a refusal, until the client closes
@@ -47,9 +49,11 @@ class Deadlines {
     // Calls cut(socket) for each whose place the newcomer takes.
     template <typename Cut>
     [[nodiscard]] Handle add(int socket, const sharing::AddressKey& address, double now_s, Cut cut) {
-        make_room([&](const Connection& other) { return other.address == address; },
-                  rules_.most_heads_an_address, cut);
-        make_room([](const Connection&) { return true; }, rules_.most_heads, cut);
+        const auto has_address = [&](const Connection& other) { return other.address == address; };
+        const auto any = [](const Connection&) { return true; };
+        make_room(false, has_address, rules_.most_an_address, now_s, cut);
+        make_room(false, any, rules_.most, now_s, cut);
+        make_room(true, has_address, rules_.most_an_address, now_s, cut);
         const Handle added =
             connections_.insert(connections_.end(), Connection{.socket = socket, .address = address});
         has_answered(added, now_s);
@@ -73,6 +77,13 @@ class Deadlines {
     void remove(Handle connection) { connections_.erase(connection); }
     [[nodiscard]] std::size_t size() const { return connections_.size(); }
 
+    // Calls cut(socket) for the oldest slow answer: a newcomer finds no place.
+    template <typename Cut>
+    void end_a_slow_answer(double now_s, Cut cut) {
+        const auto any = [](const Connection&) { return true; };
+        make_room(true, any, 0, now_s, cut);
+    }
+
     // Calls cut(socket) once for each connection past its deadline.
     template <typename Cut>
     void sweep(double now_s, Cut cut) {
@@ -87,17 +98,18 @@ class Deadlines {
     }
 
   private:
-    // Leaves room for one more among those that `counts` takes.
+    // Leaves room for one more among the open heads, or among the answers, that `counts` takes.
     template <typename Counts, typename Cut>
-    void make_room(Counts counts, std::size_t most, Cut cut) {
-        std::size_t heads = 0;
+    void make_room(bool of_answers, Counts counts, std::size_t most, double now_s, Cut cut) {
+        std::size_t found = 0;
         Connection* oldest = nullptr;
         for (Connection& connection : connections_) {
-            if (connection.is_answered || connection.is_cut || !counts(connection)) continue;
-            ++heads;
+            if (connection.is_answered != of_answers || connection.is_cut || !counts(connection)) continue;
+            ++found;
             if (oldest == nullptr || connection.since_s < oldest->since_s) oldest = &connection;
         }
-        if (heads < most || oldest == nullptr) return;
+        if (found < most || oldest == nullptr) return;
+        if (of_answers && now_s < oldest->since_s + rules_.slow_answer_s) return;
         oldest->is_cut = true;
         cut(oldest->socket);
     }

@@ -63,7 +63,7 @@ TEST(Deadlines, AreShorterInACrowd) {
 }
 
 TEST(Deadlines, GiveTheOldestOpenHeadsPlaceToANewcomer) {
-    Deadlines deadlines({.most_heads_an_address = 3, .most_heads = 5});
+    Deadlines deadlines({.most_an_address = 3, .most = 5});
     std::vector<int> cut;
     const auto asked = add(deadlines, 3, 0.0, 1, &cut);
     deadlines.answers(asked, 0.1, 1000);
@@ -78,6 +78,25 @@ TEST(Deadlines, GiveTheOldestOpenHeadsPlaceToANewcomer) {
     EXPECT_EQ(cut, std::vector<int>{4});
     static_cast<void>(add(deadlines, 10, 1.0, 3, &cut));
     EXPECT_EQ(cut, (std::vector<int>{4, 5})) << "of all addresses";
+}
+
+TEST(Deadlines, GiveTheOldestSlowReadersPlaceToANewcomer) {
+    Deadlines deadlines({.most_an_address = 3, .slow_answer_s = 5.0});
+    std::vector<int> cut;
+    for (int socket = 3; socket <= 5; ++socket)
+        deadlines.answers(add(deadlines, socket, 0.0, 1, &cut), 0.1 * socket, 1'000'000);
+    static_cast<void>(add(deadlines, 6, 5.2, 1, &cut));
+    EXPECT_TRUE(cut.empty()) << "not slow yet";
+    static_cast<void>(add(deadlines, 7, 5.4, 2, &cut));
+    EXPECT_TRUE(cut.empty()) << "another address";
+    static_cast<void>(add(deadlines, 8, 5.5, 1, &cut));
+    EXPECT_EQ(cut, std::vector<int>{3});
+    static_cast<void>(add(deadlines, 9, 6.0, 1, &cut));
+    EXPECT_EQ(cut, std::vector<int>{3}) << "there is room now";
+    deadlines.end_a_slow_answer(5.3, [&](int socket) { cut.push_back(socket); });
+    EXPECT_EQ(cut, std::vector<int>{3}) << "none is slow";
+    deadlines.end_a_slow_answer(6.0, [&](int socket) { cut.push_back(socket); });
+    EXPECT_EQ(cut, (std::vector<int>{3, 4}));
 }
 
 }  // namespace
