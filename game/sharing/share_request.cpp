@@ -3,44 +3,24 @@
 #include <algorithm>
 
 #include "engine/core/number_in.h"
+#include "game/sharing/request_head.h"
 
 namespace onggi::sharing {
 namespace {
 
-constexpr std::size_t kMostTarget = 512;
+using detail::hex_value;
+using detail::same_word;
+using detail::take_until;
+using detail::trimmed;
+
 constexpr std::size_t kMostHeader = 512;  // longer headers are ignored
 constexpr int kFullWeight = 1000;
-
-char small(char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
-bool same_word(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char one, char other) { return small(one) == small(other); });
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-        text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t'))
-        text.remove_suffix(1);
-    return text;
-}
-
-// Takes the text up to the sign and drops the sign; takes everything if there is no sign.
-std::string_view take_until(std::string_view& text, char sign) {
-    const std::size_t end = text.find(sign);
-    const std::string_view taken = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    return taken;
-}
 
 // ";q=0.5" as 500; 1000 by default.
 int weight(std::string_view parameters) {
     while (!parameters.empty()) {
         const std::string_view one = trimmed(take_until(parameters, ';'));
-        if (one.size() < 3 || small(one[0]) != 'q' || one[1] != '=') continue;
+        if (one.size() < 3 || (one[0] != 'q' && one[0] != 'Q') || one[1] != '=') continue;
         if (one[2] == '1') return kFullWeight;
         if (one[2] != '0') return 0;
         int value = 0;
@@ -52,12 +32,6 @@ int weight(std::string_view parameters) {
         return value;
     }
     return kFullWeight;
-}
-
-int hex_value(char letter) {
-    if (letter >= '0' && letter <= '9') return letter - '0';
-    const char low = small(letter);
-    return low >= 'a' && low <= 'f' ? low - 'a' + 10 : -1;
 }
 
 // The code from the form at "/": "code=k73f-q9tx".
@@ -89,11 +63,13 @@ ShareAnswer moved_to(std::string location) {
 }
 
 // The path of a target in absolute form, which a server has to take (RFC 9112, 3.2.2): whatever host it
-// names.
+// names, but one it has to name (RFC 9110, 4.2).
 std::string_view without_authority(std::string_view target) {
     for (const std::string_view scheme : {"http://", "https://"}) {
         if (!same_word(target.substr(0, scheme.size()), scheme)) continue;
         const std::size_t end = target.find_first_of("/?", scheme.size());
+        const std::string_view host = target.substr(0, end).substr(scheme.size());
+        if (host.empty() || host.starts_with(':') || !is_host(host)) return {};
         return end == std::string_view::npos ? "/"
                : target[end] == '/'          ? target.substr(end)
                                              : std::string_view();
@@ -171,8 +147,8 @@ ShareAnswer answer_to(const ShareRequest& request) {
     if (request.method != "GET" && request.method != "HEAD") return {.kind = Kind::kNotAllowed};
     std::string_view path = without_authority(request.target);
     const auto is_plain = [](char letter) { return letter > ' ' && letter < '\x7f'; };
-    if (!path.starts_with('/') || path.size() > kMostTarget ||
-        !std::all_of(path.begin(), path.end(), is_plain))
+    if (path.size() > kMostTargetBytes) return {.kind = Kind::kTooLong};
+    if (!path.starts_with('/') || !std::all_of(path.begin(), path.end(), is_plain))
         return {.kind = Kind::kBadRequest};
     const std::size_t query_at = path.find('?');
     const std::string_view query =

@@ -34,6 +34,7 @@ struct ShareAnswer {
         kNotFound,
         kNotAllowed,  // a method other than GET and HEAD
         kBadRequest,  // a target that this server cannot have
+        kTooLong,     // a target longer than any of this server's
     };
     Kind kind = Kind::kNotFound;
     std::optional<ShareCode> code{};

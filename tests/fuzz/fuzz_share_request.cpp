@@ -1,5 +1,5 @@
 // Any bytes are a request: a method, a target and four headers, one per line. Answers stay in the folder of a
-// code; ranges stay inside their file.
+// code; ranges stay inside their file. The same bytes are a head as it comes from a socket.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +8,7 @@
 
 #include "game/sharing/kept_note.h"
 #include "game/sharing/page_files.h"
+#include "game/sharing/request_head.h"
 #include "game/sharing/share_request.h"
 #include "tests/fuzz/fuzz_expect.h"
 
@@ -18,6 +19,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string_view text(reinterpret_cast<const char*>(data), size);
     static_cast<void>(read_note(text));
     if (const auto code = ShareCode::read(text)) fuzz::expect(ShareCode::read_exactly(code->text()) == code);
+    const RequestHead head = read_head(text);
+    if (head.kind == RequestHead::Kind::kFine) {
+        const std::string_view whole = text.substr(0, head.bytes);
+        fuzz::expect(whole.ends_with('\n') && whole.find('\0') == std::string_view::npos);
+        fuzz::expect(!head.method.empty() && head.target.find_first_of(" \r\n") == std::string_view::npos);
+        fuzz::expect(read_head(whole).bytes == whole.size());
+        fuzz::expect(read_head(whole.substr(0, whole.size() - 1)).kind == RequestHead::Kind::kIncomplete);
+    }
     std::array<std::string_view, 6> lines{};
     for (std::string_view& line : lines) {
         line = text.substr(0, text.find('\n'));

@@ -1,5 +1,7 @@
 // `onggi share` as a program: refusals, access to files, and its end.
 #include <gtest/gtest.h>
+#include <linux/landlock.h>
+#include <sys/syscall.h>
 
 #include <csignal>
 #include <filesystem>
@@ -126,10 +128,16 @@ TEST(ShareProgram, ReadsTheSettingsAndForgetsThem) {
 TEST(ShareProgram, CanReachOnlyTheOutbox) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "box");
+    std::filesystem::create_directory(folder / "box/inner");
     put_file(folder / "box/pot", "a pot");
     put_file(folder / "gallery", "private");
     put_file(folder / "counter", "");
+    const auto listening = app::listen_at("127.0.0.1", 0);
+    ASSERT_TRUE(listening);
+    const int port = app::port_of(*listening);
     const std::string found = in_child([&]() -> std::string {
+        const int version = static_cast<int>(
+            ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION));
         const auto confined = app::confine_to(folder / "box", folder / "counter");
         if (!confined) return confined.error().message;
         if (!*confined) return "no Landlock";
@@ -143,12 +151,101 @@ TEST(ShareProgram, CanReachOnlyTheOutbox) {
                            opens(folder / "box/new", O_WRONLY | O_CREAT) +
                            opens(folder / "counter", O_WRONLY) + opens(folder / "counter", O_RDONLY);
         said += ::unlink((folder / "box/pot").c_str()) != 0 ? "no" : "yes";
+        // From the versions on that know of it.
+        const auto is_refused = [&](int since, bool fails, int error) {
+            return version < since || (fails && errno == error) ? "no" : "yes";
+        };
+        said += is_refused(2, ::rename((folder / "box/pot").c_str(), (folder / "box/inner/pot").c_str()) != 0,
+                           EACCES);
+        said += is_refused(3, ::truncate((folder / "box/pot").c_str(), 0) != 0, EACCES);
+        said += is_refused(4, !app::answers_at("127.0.0.1", port, 1000), EACCES);
+        said += is_refused(4, !app::listen_at("127.0.0.1", 0), EACCES);
+        said += is_refused(6, ::kill(::getppid(), 0) != 0, EPERM);
         ::execl("/bin/true", "true", nullptr);
         return said + (errno == EACCES ? "no" : "?");
     });
     if (found == "no Landlock")
         GTEST_SKIP() << "this kernel has no Landlock, as the program says when it starts";
-    EXPECT_EQ(found, "yesnonononoyesnonono");
+    EXPECT_EQ(found, "yesnonononoyesnononononononono");
+}
+
+TEST(ShareProgram, HasNoCallsButThoseOfAServer) {
+    const TemporaryFolder folder;
+    put_file(folder / "pot", "a pot");
+    const std::string found = in_child([&]() -> std::string {
+        if (!app::confine_calls()) return "no filter";
+        const auto is_refused = [](long result) { return result == -1 && errno == EPERM ? "no" : "yes"; };
+        std::string said = ::open((folder / "pot").c_str(), O_RDONLY) >= 0 ? "yes" : "no";
+        said += is_refused(::socket(AF_INET, SOCK_STREAM, 0));
+        said += is_refused(::socket(AF_UNIX, SOCK_STREAM, 0));
+        said += is_refused(::syscall(SYS_fork));
+        said += is_refused(::unlink((folder / "pot").c_str()));
+        said += is_refused(::kill(::getppid(), 0));
+        said += is_refused(::setuid(::getuid()));
+        said += is_refused(::execl("/bin/true", "true", nullptr));
+        return said;
+    });
+    if (found == "no filter") GTEST_SKIP() << "this kernel has no filter, as the program says when it starts";
+    EXPECT_EQ(found, "yesnonononononono");
+}
+
+// A line of /proc/PROCESS/status.
+std::string status_line(int process, const std::string& name) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(name + ":\t")) return line.substr(name.size() + 2);
+    return "none";
+}
+
+TEST(ShareProgram, ServesConfinedAndNeverAsRoot) {
+    ServedOutbox served;
+    const std::string code = served.put(support::full_pot("one"));
+    EXPECT_EQ(get(served.port(), "/" + code + "/").status, 200);
+    const int process = served.server().process();
+    EXPECT_FALSE(status_line(process, "Uid").starts_with("0\t"));
+    EXPECT_EQ(status_line(process, "NoNewPrivs"), "1");
+    EXPECT_EQ(status_line(process, "Seccomp"), "2") << "filtered";
+    if (::geteuid() != 0) return;
+    EXPECT_EQ(status_line(process, "CapPrm"), "0000000000000000");
+    EXPECT_EQ(status_line(process, "CapEff"), "0000000000000000");
+    EXPECT_EQ(status_line(process, "Groups").find_first_not_of(' '), std::string::npos);
+    EXPECT_NE(served.server().printed().find(", as the user "), std::string::npos);
+}
+
+TEST(ShareProgram, StartedByRootRefusesAnOutboxThatItsUserMayNotOpen) {
+    if (::geteuid() != 0) GTEST_SKIP() << "not root";
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkdir((folder / "box").c_str(), 0700), 0);
+    const ProgramRun run =
+        run_onggi({"share", "--outbox", folder / "box", "--listen", "127.0.0.1", "--port", "0"});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(
+        run.err.starts_with("onggi: " + (folder / "box").string() + ": expected a folder that the user "))
+        << run.err;
+    EXPECT_TRUE(run.err.ends_with(" may open, found it closed\n")) << run.err;
+}
+
+// In a user namespace with nobody but root, as `unshare -r` makes one.
+TEST(ShareProgram, StartedByRootWithoutAnotherUserIsRefused) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "box");
+    const std::string found = in_child([&]() -> std::string {
+        const uid_t user = ::getuid();
+        const gid_t group = ::getgid();
+        if (::unshare(CLONE_NEWUSER) != 0) return "no namespace";
+        std::ofstream("/proc/self/setgroups") << "deny";
+        std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+        std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+        const ProgramRun run =
+            run_onggi({"share", "--outbox", folder / "box", "--listen", "127.0.0.1", "--port", "0"});
+        return std::to_string(run.exit_code) + " " + run.err;
+    });
+    if (found == "no namespace") GTEST_SKIP() << "no user namespaces here";
+    EXPECT_TRUE(
+        found.starts_with("2 onggi: sharing: expected to leave root before phones are answered, "
+                          "found that root cannot become "))
+        << found;
+    EXPECT_TRUE(found.ends_with(": Operation not permitted; start it as another user\n")) << found;
 }
 
 }  // namespace

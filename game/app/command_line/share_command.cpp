@@ -85,6 +85,11 @@ Result<void> wait_for_folder(const std::string& folder) {
         fmt::format("{}: expected a folder of shared pots, found something else", shown_path(folder)));
 }
 
+Error no_access(const std::string& folder, const std::string& user) {
+    return bad_input(fmt::format("{}: expected a folder that {} may open, found it closed",
+                                 shown_path(folder), user.empty() ? "this user" : "the user " + user));
+}
+
 Result<void> serve(const ShareOptions& options) {
     stand_back();
     std::signal(SIGPIPE, SIG_IGN);  // a phone may disconnect during an answer
@@ -94,20 +99,30 @@ Result<void> serve(const ShareOptions& options) {
     std::error_code error;
     const auto listening = listen_at(options.listen, options.port);
     if (!listening) return listening.error();
-    const bool counts = !options.counter.empty() && std::filesystem::exists(options.counter, error);
-    const auto confined = confine_to(options.outbox, counts ? options.counter : std::string());
+    std::string counter = std::filesystem::absolute(options.counter, error).string();
+    // The outbox is the working folder from now on: another user need not have access to what is above it.
+    std::filesystem::current_path(options.outbox, error);
+    const auto user = give_up_root();
+    if (!user) return user.error();
+    if (error || ::access(".", X_OK) != 0) return no_access(options.outbox, *user);
+    const bool counts = !options.counter.empty() && ::access(counter.c_str(), W_OK) == 0;
+    if (!counts) counter.clear();
+    const auto confined = confine_to(".", counter);
     if (!confined) return confined.error();
+    const bool is_filtered = confine_calls();
     auto server = ShareServer::start({.listening_socket = *listening,
-                                      .outbox = options.outbox,
-                                      .counter = counts ? options.counter : std::string(),
+                                      .outbox = ".",
+                                      .counter = counter,
                                       .now_s = jobs::MonotonicClock::now_s,
                                       .wall_s = wall_clock_s});
     if (!server) return server.error();
-    remark(fmt::format("sharing at {}, port {}{}", options.listen, port_of(*listening),
-                       *confined ? "" : "; this kernel has no Landlock"));
+    remark(fmt::format("sharing at {}, port {}{}{}{}", options.listen, port_of(*listening),
+                       user->empty() ? "" : ", as the user " + *user,
+                       *confined ? "" : "; this kernel has no Landlock",
+                       is_filtered ? "" : "; this kernel has no filter of system calls"));
     if (!options.counter.empty() && !counts)
-        remark(
-            fmt::format("sharing: {}: expected a pipe to count in, found none", shown_path(options.counter)));
+        remark(fmt::format("sharing: {}: expected a pipe to count in, found none to write to",
+                           shown_path(options.counter)));
     while (!end_was_asked())
         (*server)->run(kRoundMs);
     return {};

@@ -1,14 +1,21 @@
 #include "game/app/sharing/share_server.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <microhttpd.h>
 #include <netinet/in.h>
+#include <sys/epoll.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <deque>
+#include <list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,6 +27,7 @@
 #include "game/sharing/open_counter.h"
 #include "game/sharing/page_files.h"
 #include "game/sharing/phone_page.h"
+#include "game/sharing/request_head.h"
 #include "game/sharing/share_request.h"
 
 namespace onggi::app {
@@ -72,6 +80,7 @@ class Responses {
     Response nothing_;
     Response not_allowed_;
     Response bad_request_;
+    Response too_long_;
     Response too_many_;
 };
 
@@ -118,10 +127,11 @@ Responses::Responses() {
     not_allowed_ = of_text("", kText, MHD_HTTP_METHOD_NOT_ALLOWED);
     not_allowed_.add(MHD_HTTP_HEADER_ALLOW, "GET, HEAD");
     bad_request_ = of_text("", kText, MHD_HTTP_BAD_REQUEST);
+    too_long_ = of_text("", kText, MHD_HTTP_URI_TOO_LONG);
     too_many_ = of_text("", kText, MHD_HTTP_TOO_MANY_REQUESTS);
     too_many_.add(MHD_HTTP_HEADER_RETRY_AFTER, "5");
     // These answers close the connection, to slow down a client that asks again.
-    for (const Response* last : {&not_allowed_, &bad_request_, &too_many_})
+    for (const Response* last : {&not_allowed_, &bad_request_, &too_long_, &too_many_})
         last->add(MHD_HTTP_HEADER_CONNECTION, "close");
 }
 
@@ -178,6 +188,8 @@ Response Responses::without_a_file(const sharing::ShareAnswer& answer,
             return not_allowed_;
         case Kind::kBadRequest:
             return bad_request_;
+        case Kind::kTooLong:
+            return too_long_;
         case Kind::kFile:
         case Kind::kNotFound:
             break;
@@ -188,25 +200,63 @@ Response Responses::without_a_file(const sharing::ShareAnswer& answer,
 using sharing::ShareAnswer;
 
 // Memory per connection: a request's header and its answer's header must fit in here.
-constexpr std::size_t kConnectionBytes = 8192;
+constexpr std::size_t kConnectionBytes = sharing::kMostHeadBytes;
 constexpr unsigned kSilentS = 15;  // a fallback: the deadlines are shorter
 constexpr double kSweepS = 0.25;
 
-// Whether the client has closed a connection whose data has all been read. libmicrohttpd 0.9.75 does not
-// notice a close that arrives with the last bytes: its epoll is edge-triggered, and it stops reading after a
-// read shorter than its buffer.
-bool has_gone(int socket) {
-    char byte = 0;
-    return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+// A connection. The library reads from it only while a whole head is there that sharing::read_head() has
+// found fine; at all other times the head is looked at without being taken from the socket (MSG_PEEK).
+struct Client {
+    enum class State {
+        kHead,     // waits for a whole head
+        kServed,   // the library reads and answers
+        kRefused,  // has its refusal, and is heard until it closes (RFC 9112, 9.6)
+    };
+    int socket = -1;  // the library closes it, where `connection` is set
+    sockaddr_storage address{};
+    socklen_t address_size = 0;
+    State state = State::kHead;
+    Deadlines::Handle deadline{};
+    MHD_Connection* connection = nullptr;  // null before its first whole head; suspended but in kServed
+    // Method and target of each head that the library may take; several if the client sends ahead.
+    std::deque<std::string> heads{};
+    // What follows those heads is no whole head, and the library may have read it: the connection ends with
+    // the last answer.
+    bool is_last = false;
+};
+
+// What the library and a look at the head agree upon.
+std::string line_of(std::string_view method, std::string_view target) {
+    return fmt::format("{} {}", method, target);
 }
 
-// Whether the client begins with a TLS handshake (RFC 8446, 5.1). A browser that tries https first goes on to
-// http as soon as the connection is closed. The listening socket hands connections over with their first
-// bytes (TCP_DEFER_ACCEPT).
-bool speaks_tls(int socket) {
-    constexpr char kHandshake = 0x16;
-    char first = 0;
-    return ::recv(socket, &first, 1, MSG_PEEK | MSG_DONTWAIT) == 1 && first == kHandshake;
+sharing::AddressKey key_of(const sockaddr_storage& address) {
+    std::uint8_t ipv4[4]{};
+    std::uint8_t ipv6[16]{};
+    if (address.ss_family == AF_INET6) {
+        const auto* const found = reinterpret_cast<const sockaddr_in6*>(&address);
+        std::memcpy(ipv6, &found->sin6_addr, sizeof ipv6);
+        return sharing::key_of_ipv6(ipv6);
+    }
+    const auto* const found = reinterpret_cast<const sockaddr_in*>(&address);
+    std::memcpy(ipv4, &found->sin_addr, sizeof ipv4);
+    return sharing::key_of_ipv4(ipv4);
+}
+
+// Takes what has come from the socket. False: the other side has closed.
+bool drain(int socket) {
+    std::array<char, 4096> bytes{};
+    ssize_t got = 0;
+    while ((got = ::recv(socket, bytes.data(), bytes.size(), MSG_DONTWAIT)) > 0) {
+    }
+    return got < 0 && (errno == EAGAIN || errno == EINTR);
+}
+
+std::string refusal(int status, std::int64_t wall_s) {
+    return fmt::format(
+        "HTTP/1.1 {} {}\r\nDate: {:%a, %d %b %Y %H:%M:%S} GMT\r\nContent-Length: 0\r\n"
+        "Cache-Control: no-store\r\nConnection: close\r\n\r\n",
+        status, MHD_get_reason_phrase_for(static_cast<unsigned>(status)), fmt::gmtime(wall_s));
 }
 
 std::string_view view_of(const char* text) {
@@ -242,28 +292,55 @@ class MicroServer final : public ShareServer {
           limits_(options.rate),
           deadlines_(options.deadlines) {}
     ~MicroServer() override {
-        if (daemon_ != nullptr) MHD_stop_daemon(daemon_);
+        // The library ends only when no connection is suspended.
+        for (const Client& client : clients_)
+            if (client.connection != nullptr && client.state != Client::State::kServed)
+                MHD_resume_connection(client.connection);
+        if (daemon_ != nullptr) MHD_stop_daemon(daemon_);  // forgets those that it closes
+        for (const Client& client : clients_)
+            ::close(client.socket);
+        if (gate_ >= 0) ::close(gate_);
+        ::close(options_.listening_socket);
     }
 
     bool start() {
+        most_connections_ = granted_connections(options_.most_connections);
         daemon_ = MHD_start_daemon(
-            MHD_USE_EPOLL, 0, nullptr, nullptr, &MicroServer::answer_to, this, MHD_OPTION_LISTEN_SOCKET,
-            options_.listening_socket, MHD_OPTION_CONNECTION_LIMIT,
-            granted_connections(options_.most_connections), MHD_OPTION_PER_IP_CONNECTION_LIMIT,
-            options_.most_connections_an_address, MHD_OPTION_CONNECTION_TIMEOUT, kSilentS,
-            MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionBytes, MHD_OPTION_STRICT_FOR_CLIENT, 1,
+            MHD_USE_EPOLL | MHD_USE_NO_LISTEN_SOCKET | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr,
+            &MicroServer::answer_to, this, MHD_OPTION_CONNECTION_LIMIT, most_connections_,
+            MHD_OPTION_PER_IP_CONNECTION_LIMIT, options_.most_connections_an_address,
+            MHD_OPTION_CONNECTION_TIMEOUT, kSilentS, MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionBytes,
+            MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_SIGPIPE_HANDLED_BY_APP, 1,
             MHD_OPTION_UNESCAPE_CALLBACK, &MicroServer::leave_as_it_is, nullptr, MHD_OPTION_URI_LOG_CALLBACK,
             &MicroServer::note_target, this, MHD_OPTION_NOTIFY_CONNECTION, &MicroServer::connection_changed,
             this, MHD_OPTION_NOTIFY_COMPLETED, &MicroServer::request_done, this, MHD_OPTION_END);
-        return daemon_ != nullptr;
+        gate_ = ::epoll_create1(EPOLL_CLOEXEC);
+        if (daemon_ == nullptr || gate_ < 0) return false;
+        const auto* const info = MHD_get_daemon_info(daemon_, MHD_DAEMON_INFO_EPOLL_FD);
+        return info != nullptr && watch(info->epoll_fd, EPOLLIN, nullptr) &&
+               watch(options_.listening_socket, EPOLLIN | EPOLLET, this);
     }
 
     void run(int most_ms) override {
-        MHD_run_wait(daemon_, most_ms);
+        constexpr MHD_UNSIGNED_LONG_LONG kLongMs = 1'000'000;
+        MHD_UNSIGNED_LONG_LONG library_ms = 0;
+        if (MHD_get_timeout(daemon_, &library_ms) == MHD_YES)
+            most_ms = std::min(most_ms, static_cast<int>(std::min(library_ms, kLongMs)));
+        std::array<epoll_event, 64> events{};
+        const int count = ::epoll_wait(gate_, events.data(), static_cast<int>(events.size()), most_ms);
+        for (int i = 0; i < count; ++i) {
+            const epoll_event& event = events[static_cast<std::size_t>(i)];
+            if (event.data.ptr == this)
+                has_newcomers_ = true;
+            else if (event.data.ptr != nullptr)
+                look_at(*static_cast<Client*>(event.data.ptr), (event.events & (EPOLLRDHUP | EPOLLHUP)) != 0);
+        }
+        accept_new();
+        run_library();
         const double now_s = options_.now_s();
         if (now_s < next_sweep_s_) return;
         next_sweep_s_ = now_s + kSweepS;
-        deadlines_.sweep(now_s, has_gone, &MicroServer::cut);
+        deadlines_.sweep(now_s, &MicroServer::cut);
     }
 
     [[nodiscard]] std::size_t connections() const override { return deadlines_.size(); }
@@ -274,7 +351,119 @@ class MicroServer final : public ShareServer {
         bool is_known = false;
     };
 
+    // The gate: connections whose head is not there yet.
+
+    // Wakes look_at(), which ends the connection.
     static void cut(int socket) { ::shutdown(socket, SHUT_RDWR); }
+
+    [[nodiscard]] bool watch(int descriptor, std::uint32_t events, void* what) const {
+        epoll_event event{.events = events, .data = {.ptr = what}};
+        return ::epoll_ctl(gate_, EPOLL_CTL_ADD, descriptor, &event) == 0;
+    }
+
+    // The listening socket reports newcomers once; those that find no room wait in its queue.
+    void accept_new() {
+        while (has_newcomers_) {
+            if (clients_.size() >= most_connections_)
+                return deadlines_.end_a_slow_answer(options_.now_s(), &MicroServer::cut);
+            Client client{.address_size = sizeof(sockaddr_storage)};
+            client.socket = ::accept4(options_.listening_socket, reinterpret_cast<sockaddr*>(&client.address),
+                                      &client.address_size, SOCK_NONBLOCK | SOCK_CLOEXEC);
+            has_newcomers_ = client.socket >= 0;
+            if (client.socket < 0) return;
+            client.deadline =
+                deadlines_.add(client.socket, key_of(client.address), options_.now_s(), &MicroServer::cut);
+            clients_.push_back(std::move(client));
+            if (!watch(clients_.back().socket, EPOLLIN | EPOLLRDHUP | EPOLLET, &clients_.back()))
+                cut(clients_.back().socket);
+            look_at(clients_.back(), false);
+        }
+    }
+
+    // `has_closed`: the client sends nothing more.
+    void look_at(Client& client, bool has_closed) {
+        if (client.state == Client::State::kServed) return;
+        if (client.state == Client::State::kRefused || client.deadline->is_cut) {
+            if (!drain(client.socket) || client.deadline->is_cut) end(client);
+            return;
+        }
+        std::array<char, sharing::kMostHeadBytes> bytes;  // NOLINT: 8 kB that recv() fills
+        const ssize_t got = ::recv(client.socket, bytes.data(), bytes.size(), MSG_PEEK | MSG_DONTWAIT);
+        if (got < 0 && (errno == EAGAIN || errno == EINTR)) return;
+        // A TLS handshake (RFC 8446, 5.1): a browser that tries https first goes on to http as soon as it is
+        // closed.
+        constexpr char kHandshake = 0x16;
+        if (got <= 0 || bytes[0] == kHandshake) return end(client);
+        std::string_view rest(bytes.data(), static_cast<std::size_t>(got));
+        sharing::RequestHead head = sharing::read_head(rest);
+        if (head.kind == sharing::RequestHead::Kind::kRefused) return refuse(client, head.status);
+        if (head.kind == sharing::RequestHead::Kind::kIncomplete) {
+            if (has_closed) end(client);
+            return;
+        }
+        while (head.kind == sharing::RequestHead::Kind::kFine) {
+            client.heads.push_back(line_of(head.method, head.target));
+            rest.remove_prefix(head.bytes);
+            head = sharing::read_head(rest);
+        }
+        client.is_last = !rest.empty();
+        hand_over(client);
+    }
+
+    void hand_over(Client& client) {
+        client.state = Client::State::kServed;
+        deadlines_.answers(client.deadline, options_.now_s(), 0);  // no open head any more
+        if (client.connection != nullptr) return MHD_resume_connection(client.connection);
+        handed_over_.push_back(&client);
+        const MHD_Result taken = MHD_add_connection(
+            daemon_, client.socket, reinterpret_cast<const sockaddr*>(&client.address), client.address_size);
+        if (taken != MHD_YES) forget(client);  // the library has closed it: too many of this address
+    }
+
+    void refuse(Client& client, int status) {
+        drain(client.socket);
+        const std::string text = refusal(status, options_.wall_s());
+        // A new connection's buffer takes it at once; a client that does not read gets no refusal.
+        static_cast<void>(::send(client.socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT));
+        ::shutdown(client.socket, SHUT_WR);
+        client.state = Client::State::kRefused;
+        deadlines_.refuses(client.deadline, options_.now_s());
+    }
+
+    // Nothing that was not handed over reaches the library.
+    void end(Client& client) {
+        drain(client.socket);
+        if (client.connection != nullptr) {
+            cut(client.socket);
+            client.state = Client::State::kServed;
+            MHD_resume_connection(client.connection);  // which finds it closed, and says so
+            return;
+        }
+        ::close(client.socket);
+        forget(client);
+    }
+
+    void forget(Client& client) {
+        deadlines_.remove(client.deadline);
+        std::erase(handed_over_, &client);
+        std::erase(answered_, &client);
+        clients_.remove_if([&](const Client& other) { return &other == &client; });
+    }
+
+    // The library: connections with a whole head.
+
+    void run_library() {
+        const bool has_new = !handed_over_.empty();
+        MHD_run_wait(daemon_, 0);
+        if (has_new) MHD_run_wait(daemon_, 0);  // the first turn only takes them in
+        for (Client* const refused : std::exchange(handed_over_, {}))
+            forget(*refused);
+        for (Client* const client : std::exchange(answered_, {})) {
+            MHD_suspend_connection(client->connection);
+            client->state = Client::State::kHead;
+            look_at(*client, false);
+        }
+    }
 
     static std::size_t leave_as_it_is(void*, MHD_Connection*, char* text) { return std::strlen(text); }
 
@@ -287,63 +476,67 @@ class MicroServer final : public ShareServer {
         delete static_cast<Request*>(*context);  // NOLINT
         *context = nullptr;
         auto& server = *static_cast<MicroServer*>(self);
-        if (auto* const handle = handle_of(connection))
-            server.deadlines_.has_answered(*handle, server.options_.now_s());
+        Client* const client = client_of(connection);
+        if (client == nullptr) return;
+        server.deadlines_.has_answered(client->deadline, server.options_.now_s());
+        if (!client->heads.empty()) return;
+        if (client->is_last) return cut(client->socket);
+        // Suspended after this turn of the library, unless the connection ends with it.
+        server.answered_.push_back(client);
     }
 
     static void connection_changed(void* self, MHD_Connection* connection, void** context,
                                    MHD_ConnectionNotificationCode what) {
-        auto& deadlines = static_cast<MicroServer*>(self)->deadlines_;
+        auto& server = *static_cast<MicroServer*>(self);
         if (what == MHD_CONNECTION_NOTIFY_STARTED) {
             const auto* const info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
-            if (speaks_tls(info->connect_fd)) cut(info->connect_fd);
-            const double now_s = static_cast<MicroServer*>(self)->options_.now_s();
-            *context = new Deadlines::Handle(  // NOLINT
-                deadlines.add(info->connect_fd, address_of(connection), now_s, &MicroServer::cut));
+            const auto found =
+                std::find_if(server.handed_over_.begin(), server.handed_over_.end(),
+                             [&](const Client* client) { return client->socket == info->connect_fd; });
+            if (found == server.handed_over_.end()) return;
+            (*found)->connection = connection;
+            *context = *found;
+            server.handed_over_.erase(found);
         } else if (*context != nullptr) {
-            auto* const handle = static_cast<Deadlines::Handle*>(*context);
-            deadlines.remove(*handle);
-            delete handle;  // NOLINT
+            server.forget(*static_cast<Client*>(*context));
             *context = nullptr;
         }
     }
 
-    static Deadlines::Handle* handle_of(MHD_Connection* connection) {
+    static Client* client_of(MHD_Connection* connection) {
         const auto* const info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
-        return info == nullptr ? nullptr : static_cast<Deadlines::Handle*>(info->socket_context);
-    }
-
-    static sharing::AddressKey address_of(MHD_Connection* connection) {
-        const auto* const info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS);
-        std::uint8_t ipv4[4]{};
-        std::uint8_t ipv6[16]{};
-        if (info == nullptr || info->client_addr == nullptr) return sharing::key_of_ipv4(ipv4);
-        if (info->client_addr->sa_family == AF_INET6) {
-            const auto* const address = reinterpret_cast<const sockaddr_in6*>(info->client_addr);
-            std::memcpy(ipv6, &address->sin6_addr, sizeof ipv6);
-            return sharing::key_of_ipv6(ipv6);
-        }
-        const auto* const address = reinterpret_cast<const sockaddr_in*>(info->client_addr);
-        std::memcpy(ipv4, &address->sin_addr, sizeof ipv4);
-        return sharing::key_of_ipv4(ipv4);
+        return info == nullptr ? nullptr : static_cast<Client*>(info->socket_context);
     }
 
     static MHD_Result answer_to(void* self, MHD_Connection* connection, const char*, const char* method,
                                 const char*, const char*, std::size_t* upload_size, void** context) {
         *upload_size = 0;  // uploads are not read
         auto* const request = static_cast<Request*>(*context);
-        if (request == nullptr) return MHD_NO;
-        // Answering in the first call ends the connection, as intended for a request with a body.
-        const bool has_body = !header(connection, MHD_HTTP_HEADER_CONTENT_LENGTH).empty() ||
-                              !header(connection, MHD_HTTP_HEADER_TRANSFER_ENCODING).empty();
-        if (!std::exchange(request->is_known, true) && !has_body) return MHD_YES;
-        return static_cast<MicroServer*>(self)->answer(connection, method, request->target);
+        Client* const client = client_of(connection);
+        if (request == nullptr || client == nullptr) return MHD_NO;
+        if (!std::exchange(request->is_known, true)) {
+            // Bytes that came after the look at the head may have reached the library: closed unanswered.
+            if (client->heads.empty() || client->heads.front() != line_of(method, request->target))
+                return MHD_NO;
+            client->heads.pop_front();
+            // Answering in the first call ends the connection, as intended for a request with a body.
+            const bool has_body = !header(connection, MHD_HTTP_HEADER_CONTENT_LENGTH).empty() ||
+                                  !header(connection, MHD_HTTP_HEADER_TRANSFER_ENCODING).empty();
+            if (!has_body) return MHD_YES;
+        }
+        return static_cast<MicroServer*>(self)->answer(*client, method, request->target);
     }
 
-    MHD_Result answer(MHD_Connection* connection, std::string_view method, std::string_view target) {
+    MHD_Result answer(const Client& client, std::string_view method, std::string_view target) {
         const double now_s = options_.now_s();
-        const sharing::AddressKey address = address_of(connection);
-        if (!limits_.allows(address, now_s)) return send(connection, responses_.too_many());
+        MHD_Connection* const connection = client.connection;
+        const sharing::AddressKey& address = client.deadline->address;
+        const auto send = [&](const Response& response) {
+            if (!response) return MHD_NO;
+            deadlines_.answers(client.deadline, now_s, response.bytes());
+            return MHD_queue_response(connection, response.status(), response.get());
+        };
+        if (!limits_.allows(address, now_s)) return send(responses_.too_many());
         const std::string_view language = header(connection, MHD_HTTP_HEADER_ACCEPT_LANGUAGE);
         const ShareAnswer answer =
             sharing::answer_to({.method = method,
@@ -354,16 +547,16 @@ class MicroServer final : public ShareServer {
                                 .accept_language = language});
         if (answer.kind != ShareAnswer::Kind::kFile) {
             if (answer.kind == ShareAnswer::Kind::kNotFound) limits_.missed(address, now_s);
-            return send(connection, responses_.without_a_file(answer, language));
+            return send(responses_.without_a_file(answer, language));
         }
         Response file = file_answer(answer);
         if (!file) {
             limits_.missed(address, now_s);
-            return send(connection, responses_.lost(language));
+            return send(responses_.lost(language));
         }
         if (method == "GET" && answer.file.counted != '\0')
             counter_.count(static_cast<sharing::ShareEvent>(answer.file.counted));
-        return send(connection, file);
+        return send(file);
     }
 
     Response file_answer(const ShareAnswer& answer) {
@@ -378,20 +571,19 @@ class MicroServer final : public ShareServer {
         return Responses::of_file(std::move(plain), answer.file, answer.range, false);
     }
 
-    MHD_Result send(MHD_Connection* connection, const Response& response) {
-        if (!response) return MHD_NO;
-        if (auto* const handle = handle_of(connection))
-            deadlines_.answers(*handle, options_.now_s(), response.bytes());
-        return MHD_queue_response(connection, response.status(), response.get());
-    }
-
     ShareServerOptions options_;
     PageStore store_;
     sharing::CounterWriter counter_;
     sharing::ShareLimits limits_;
     Deadlines deadlines_;
     Responses responses_;
+    unsigned most_connections_ = 0;
     MHD_Daemon* daemon_ = nullptr;
+    int gate_ = -1;  // epoll: the listening socket, the library's epoll and every connection
+    bool has_newcomers_ = false;
+    std::list<Client> clients_;
+    std::vector<Client*> handed_over_;  // new to the library, which has not taken them in yet
+    std::vector<Client*> answered_;     // the library may want to read their next head
     double next_sweep_s_ = 0.0;
 };
 

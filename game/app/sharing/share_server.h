@@ -1,5 +1,6 @@
 // Serves the outbox to phones over HTTP/1.1 (libmicrohttpd): no cookies, no log, no listing.
-// game/sharing/share_request.h interprets the requests. One thread, the one that calls run().
+// game/sharing/request_head.h decides which heads the library gets to see, and share_request.h what it
+// answers. One thread, the one that calls run().
 #pragma once
 
 #include <cstddef>
@@ -15,18 +16,20 @@
 namespace onggi::app {
 
 // The deadline of each connection. A client that sends its request or takes its file byte by byte is cut off,
-// sooner if there are many connections; a client that disconnects before its request is dropped at once. The
-// caller passes the time. One thread at a time.
+// sooner if there are many connections. The caller passes the time. One thread at a time.
 struct DeadlineRules {
     double head_s = 10.0;         // for a whole request header, and for silence
     double crowded_head_s = 1.0;  // the same in a crowd
     std::size_t crowd = 384;      // connections that make a crowd
-    // Limits of the connections without a whole request. A new one beyond them replaces the oldest, so that
-    // open headers cannot lock out other phones, at the same address or another.
-    std::size_t most_heads_an_address = 96;
-    std::size_t most_heads = 448;
+    // Limits of the connections without a whole request, and of those with an answer. A new one beyond them
+    // replaces the oldest, but no answer younger than slow_answer_s, so that open headers and slow readers
+    // cannot lock out other phones, at the same address or another.
+    std::size_t most_an_address = 96;
+    std::size_t most = 448;
+    double slow_answer_s = 5.0;
     double answer_s = 20.0;         // time for an answer, plus
     double bytes_per_s = 16'384.0;  // its transfer time at this rate
+    double refusal_s = 2.0;         // for a refusal, until the client closes
 };
 
 class Deadlines {
@@ -46,9 +49,11 @@ class Deadlines {
     // Calls cut(socket) for each connection that is replaced.
     template <typename Cut>
     [[nodiscard]] Handle add(int socket, const sharing::AddressKey& address, double now_s, Cut cut) {
-        make_room([&](const Connection& other) { return other.address == address; },
-                  rules_.most_heads_an_address, cut);
-        make_room([](const Connection&) { return true; }, rules_.most_heads, cut);
+        const auto has_address = [&](const Connection& other) { return other.address == address; };
+        const auto any = [](const Connection&) { return true; };
+        make_room(false, has_address, rules_.most_an_address, now_s, cut);
+        make_room(false, any, rules_.most, now_s, cut);
+        make_room(true, has_address, rules_.most_an_address, now_s, cut);
         const Handle added =
             connections_.insert(connections_.end(), Connection{.socket = socket, .address = address});
         has_answered(added, now_s);
@@ -57,6 +62,10 @@ class Deadlines {
     void answers(Handle connection, double now_s, std::uint64_t bytes) const {
         connection->since_s = now_s;
         connection->until_s = now_s + rules_.answer_s + static_cast<double>(bytes) / rules_.bytes_per_s;
+        connection->is_answered = true;
+    }
+    void refuses(Handle connection, double now_s) const {
+        connection->until_s = now_s + rules_.refusal_s;
         connection->is_answered = true;
     }
     // The connection may send its next request.
@@ -68,33 +77,39 @@ class Deadlines {
     void remove(Handle connection) { connections_.erase(connection); }
     [[nodiscard]] std::size_t size() const { return connections_.size(); }
 
-    // Calls cut(socket) once for each connection past its deadline, and for each idle one with
-    // has_gone(socket).
-    template <typename HasGone, typename Cut>
-    void sweep(double now_s, HasGone has_gone, Cut cut) {
+    // Calls cut(socket) for the oldest slow answer: a newcomer finds no place.
+    template <typename Cut>
+    void end_a_slow_answer(double now_s, Cut cut) {
+        const auto any = [](const Connection&) { return true; };
+        make_room(true, any, 0, now_s, cut);
+    }
+
+    // Calls cut(socket) once for each connection past its deadline.
+    template <typename Cut>
+    void sweep(double now_s, Cut cut) {
         const bool is_crowded = connections_.size() >= rules_.crowd;
         for (Connection& connection : connections_) {
             if (connection.is_cut) continue;
             const bool is_in_the_way = is_crowded && now_s >= connection.since_s + rules_.crowded_head_s;
-            const bool is_idle = !connection.is_answered && (is_in_the_way || has_gone(connection.socket));
-            if (now_s < connection.until_s && !is_idle) continue;
+            if (now_s < connection.until_s && (connection.is_answered || !is_in_the_way)) continue;
             connection.is_cut = true;
             cut(connection.socket);
         }
     }
 
   private:
-    // Makes room for one more among those that `counts` accepts.
+    // Makes room for one more among the open heads, or among the answers, that `counts` accepts.
     template <typename Counts, typename Cut>
-    void make_room(Counts counts, std::size_t most, Cut cut) {
-        std::size_t heads = 0;
+    void make_room(bool of_answers, Counts counts, std::size_t most, double now_s, Cut cut) {
+        std::size_t found = 0;
         Connection* oldest = nullptr;
         for (Connection& connection : connections_) {
-            if (connection.is_answered || connection.is_cut || !counts(connection)) continue;
-            ++heads;
+            if (connection.is_answered != of_answers || connection.is_cut || !counts(connection)) continue;
+            ++found;
             if (oldest == nullptr || connection.since_s < oldest->since_s) oldest = &connection;
         }
-        if (heads < most || oldest == nullptr) return;
+        if (found < most || oldest == nullptr) return;
+        if (of_answers && now_s < oldest->since_s + rules_.slow_answer_s) return;
         oldest->is_cut = true;
         cut(oldest->socket);
     }

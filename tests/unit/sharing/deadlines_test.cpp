@@ -7,10 +7,9 @@
 namespace onggi::app {
 namespace {
 
-std::vector<int> cut_at(Deadlines& deadlines, double now_s, int gone = -1) {
+std::vector<int> cut_at(Deadlines& deadlines, double now_s) {
     std::vector<int> cut;
-    deadlines.sweep(
-        now_s, [&](int socket) { return socket == gone; }, [&](int socket) { cut.push_back(socket); });
+    deadlines.sweep(now_s, [&](int socket) { cut.push_back(socket); });
     return cut;
 }
 
@@ -33,16 +32,12 @@ TEST(Deadlines, CloseAConnectionWithoutARequest) {
     EXPECT_EQ(deadlines.size(), 1U);
 }
 
-TEST(Deadlines, CloseAConnectionGoneBeforeItsRequest) {
+TEST(Deadlines, GiveARefusedClientTwoSecondsToClose) {
     Deadlines deadlines;
-    static_cast<void>(add(deadlines, 3, 0.0));
-    const auto served = add(deadlines, 4, 0.0);
-    deadlines.answers(served, 0.1, 1000);
-    EXPECT_TRUE(cut_at(deadlines, 0.2, 4).empty()) << "it may have closed its own half and listen";
-    EXPECT_EQ(cut_at(deadlines, 0.2, 3), std::vector<int>{3});
-    EXPECT_TRUE(cut_at(deadlines, 0.3, 3).empty()) << "once";
-    deadlines.has_answered(served, 0.4);
-    EXPECT_EQ(cut_at(deadlines, 0.5, 4), std::vector<int>{4});
+    const auto refused = add(deadlines, 3, 0.0);
+    deadlines.refuses(refused, 5.0);
+    EXPECT_TRUE(cut_at(deadlines, 6.9).empty());
+    EXPECT_EQ(cut_at(deadlines, 7.0), std::vector<int>{3});
 }
 
 TEST(Deadlines, GiveAnAnswerTheTimeThatItsSizeTakes) {
@@ -68,7 +63,7 @@ TEST(Deadlines, AreShorterInACrowd) {
 }
 
 TEST(Deadlines, GiveTheOldestOpenHeadsPlaceToANewcomer) {
-    Deadlines deadlines({.most_heads_an_address = 3, .most_heads = 5});
+    Deadlines deadlines({.most_an_address = 3, .most = 5});
     std::vector<int> cut;
     const auto asked = add(deadlines, 3, 0.0, 1, &cut);
     deadlines.answers(asked, 0.1, 1000);
@@ -83,6 +78,25 @@ TEST(Deadlines, GiveTheOldestOpenHeadsPlaceToANewcomer) {
     EXPECT_EQ(cut, std::vector<int>{4});
     static_cast<void>(add(deadlines, 10, 1.0, 3, &cut));
     EXPECT_EQ(cut, (std::vector<int>{4, 5})) << "of all addresses";
+}
+
+TEST(Deadlines, GiveTheOldestSlowReadersPlaceToANewcomer) {
+    Deadlines deadlines({.most_an_address = 3, .slow_answer_s = 5.0});
+    std::vector<int> cut;
+    for (int socket = 3; socket <= 5; ++socket)
+        deadlines.answers(add(deadlines, socket, 0.0, 1, &cut), 0.1 * socket, 1'000'000);
+    static_cast<void>(add(deadlines, 6, 5.2, 1, &cut));
+    EXPECT_TRUE(cut.empty()) << "not slow yet";
+    static_cast<void>(add(deadlines, 7, 5.4, 2, &cut));
+    EXPECT_TRUE(cut.empty()) << "another address";
+    static_cast<void>(add(deadlines, 8, 5.5, 1, &cut));
+    EXPECT_EQ(cut, std::vector<int>{3});
+    static_cast<void>(add(deadlines, 9, 6.0, 1, &cut));
+    EXPECT_EQ(cut, std::vector<int>{3}) << "there is room now";
+    deadlines.end_a_slow_answer(5.3, [&](int socket) { cut.push_back(socket); });
+    EXPECT_EQ(cut, std::vector<int>{3}) << "none is slow";
+    deadlines.end_a_slow_answer(6.0, [&](int socket) { cut.push_back(socket); });
+    EXPECT_EQ(cut, (std::vector<int>{3, 4}));
 }
 
 }  // namespace
