@@ -66,13 +66,14 @@ class JarKeeping {
     // Empty if it is not joined.
     [[nodiscard]] std::vector<std::filesystem::path> sessions() const;
 
-    // Reads the state of an interrupted visit; appends a line to `remarks` for damaged files.
-    void look(std::vector<std::string>& remarks);
+    // Reads the state of an interrupted visit; appends a line to `remarks` for damaged files, which are
+    // dropped. Error: the disk's or the memory's; the files stay for the next start.
+    Result<void> look(std::vector<std::string>& remarks);
     // Replays up to `ticks` more ticks of its bowls. Returns true while there are more. Error: a bowl cannot
-    // be replayed, and the jar is dropped.
+    // be replayed, and the jar is dropped; or one cannot be read, as look(), and the stage stays.
     Result<bool> restore(int ticks);
-    // The clay on its wheel where there is no journal of that, or null.
-    [[nodiscard]] std::unique_ptr<InterruptedSession> left_over() const;
+    // The clay on its wheel where there is no journal of that, or null. Errors as look().
+    [[nodiscard]] Result<std::unique_ptr<InterruptedSession>> left_over() const;
     // The start of the clay on its wheel.
     [[nodiscard]] const haptic::HapticState& start() const { return jar_start_ ? *jar_start_ : lump_; }
 
