@@ -70,11 +70,13 @@ Result<AtomicFolder> AtomicFolder::create(const fs::path& destination) {
 
 Result<void> AtomicFolder::commit() {
     if (auto done = synced(part_); !done) return done;
+    // Before the renaming, after which nothing may fail for want of memory.
+    const fs::path around = destination_.has_parent_path() ? destination_.parent_path() : fs::path(".");
     std::error_code error;
     fs::rename(part_, destination_, error);
     if (error) return lost(destination_, "to rename a folder into place", error);
     part_.clear();
-    return synced(destination_.has_parent_path() ? destination_.parent_path() : fs::path("."));
+    return synced(around);
 }
 
 Result<void> take_away_folder(const fs::path& folder) {

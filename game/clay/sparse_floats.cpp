@@ -4,9 +4,10 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <new>
 #include <span>
 #include <utility>
+
+#include "engine/core/within_memory.h"
 
 namespace onggi::clay {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::size_t kPage = 4096 / sizeof(float);
 // Zeroed memory from the system. Pages of a large block take memory only when they are written.
 float* zeros(std::size_t count) {
     void* const memory = std::calloc(std::max<std::size_t>(count, 1), sizeof(float));
-    if (memory == nullptr) throw std::bad_alloc();
+    if (memory == nullptr) refuse_memory();
     return static_cast<float*>(memory);
 }
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "engine/core/little_endian.h"
+#include "engine/core/within_memory.h"
 
 namespace onggi::record {
 namespace {
@@ -118,8 +119,9 @@ void for_stretches(std::size_t first, std::size_t words, const Act& act) {
         act(first + at, first + std::min(words, at + kStretch), at / kStretch);
 }
 
-// A failure is a bug or a lack of memory, not an input error, so it throws.
-void expect(bool well, const char* what) {
+// A lack of memory is told as such; any other failure on our own bytes is a bug. Both throw.
+void expect(bool well, int said, const char* what) {
+    if (said == Z_MEM_ERROR) refuse_memory();
     if (!well) throw std::runtime_error(what);
 }
 
@@ -130,8 +132,8 @@ class Deflater {
         // small, because most bytes are zero.
         constexpr int kWindowBits = 15;
         constexpr int kMemoryLevel = 9;
-        expect(deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kWindowBits, kMemoryLevel, Z_RLE) == Z_OK,
-               "pack: no memory");
+        const int said = deflateInit2(&stream_, Z_BEST_SPEED, Z_DEFLATED, kWindowBits, kMemoryLevel, Z_RLE);
+        expect(said == Z_OK, said, "pack: another zlib");
     }
     ~Deflater() { deflateEnd(&stream_); }
     Deflater(const Deflater&) = delete;
@@ -156,7 +158,8 @@ class Deflater {
 class Inflater {
   public:
     explicit Inflater(const std::vector<std::byte>& deflated) {
-        expect(inflateInit(&stream_) == Z_OK, "unpack: no memory");
+        const int said = inflateInit(&stream_);
+        expect(said == Z_OK, said, "unpack: another zlib");
         // zlib only reads here, but its API takes a non-const pointer.
         stream_.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(deflated.data()));
         stream_.avail_in = static_cast<uInt>(deflated.size());
@@ -169,7 +172,7 @@ class Inflater {
         stream_.next_out = reinterpret_cast<Bytef*>(bytes.data());
         stream_.avail_out = static_cast<uInt>(bytes.size());
         const int said = inflate(&stream_, Z_SYNC_FLUSH);
-        expect((said == Z_OK || said == Z_STREAM_END) && stream_.avail_out == 0,
+        expect((said == Z_OK || said == Z_STREAM_END) && stream_.avail_out == 0, said,
                "unpack: these bytes were packed otherwise");
     }
 

@@ -18,7 +18,8 @@ namespace onggi::test {
 namespace {
 
 [[noreturn]] void become_onggi(const std::vector<std::string>& words, const ProgramOptions& options) {
-    const std::string program = in_build("onggi");
+    const char* const installed = std::getenv("ONGGI_INSTALLED");
+    const std::string program = installed != nullptr ? installed : in_build("onggi");
     std::vector<char*> arguments{const_cast<char*>("onggi")};  // NOLINT: execv takes char*, writes nothing
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT

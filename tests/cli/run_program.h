@@ -21,7 +21,8 @@ struct ProgramOptions {
     std::function<void()> in_child = [] {};     // in the child, just before exec
 };
 
-// Runs `onggi` with these arguments; its output goes into pipes.
+// Runs `onggi` with these arguments; its output goes into pipes. ONGGI_INSTALLED: that program instead of
+// this build's.
 ProgramRun run_onggi(const std::vector<std::string>& words, const ProgramOptions& options = {});
 
 // The same on a terminal: `out` holds all output.

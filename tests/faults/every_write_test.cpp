@@ -2,80 +2,35 @@
 // is cut: afterwards the kiosk starts, shows nothing partial, and has lost nothing older. ONGGI_EVERY_FAULT=1
 // runs all combinations, some minutes; ./check gives each call one kind of fault, which varies between the
 // actions.
-#include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <signal.h>  // NOLINT: SIGKILL is POSIX
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <map>
 
-#include "tests/faults/museum.h"
+#include "tests/faults/forked_deed.h"
 #include "tests/faults/write_faults.h"
-#include "tests/support/temporary_folder.h"
 
 namespace onggi::faults {
 namespace {
 
 namespace fs = std::filesystem;
 
-// The child's report before its end, in shared memory.
-struct Told {
-    long calls = 0;
-    bool is_done = false;
-    std::array<char, 512> failed_call{};
-};
-
-struct Ended {
-    Told told;
-    bool was_killed = false;
-    int status = 0;
-};
-
-class EveryWrite : public testing::Test {
+class EveryWrite : public ForkedDeed {
   protected:
-    static void SetUpTestSuite() {
-        base_ = new test::TemporaryFolder;
-        lay_out(base_->path() / "museum");
-        void* const memory =
-            ::mmap(nullptr, sizeof(Told), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        ASSERT_NE(memory, MAP_FAILED);
-        told_ = new (memory) Told;
-    }
-    static void TearDownTestSuite() {
-        ::munmap(told_, sizeof(Told));
-        delete base_;
-    }
-    // The same museum again and again.
-    fs::path fresh() {
-        fs::remove_all(folder_ / "museum");
-        fs::copy(base_->path() / "museum", folder_ / "museum", fs::copy_options::recursive);
-        return folder_ / "museum";
-    }
     static Ended act(const Deed& deed, const fs::path& museum, Kind kind, long at) {
-        *told_ = {};
-        const pid_t child = ::fork();
-        if (child == 0) {
+        return in_a_fork([&](Told& told) {
             arm(museum, kind, at);
-            told_->is_done = deed.act(museum);
+            told.is_done = deed.act(museum);
             disarm();
-            told_->calls = calls();
-            std::strncpy(told_->failed_call.data(), failed_call().c_str(), told_->failed_call.size() - 1);
-            ::_exit(0);
-        }
-        Ended ended;
-        ::waitpid(child, &ended.status, 0);
-        ended.was_killed = WIFSIGNALED(ended.status) && WTERMSIG(ended.status) == SIGKILL;
-        ended.told = *told_;
-        return ended;
+            told.calls = calls();
+            std::strncpy(told.failed_call.data(), failed_call().c_str(), told.failed_call.size() - 1);
+        });
     }
-
-    test::TemporaryFolder folder_;
-    static inline test::TemporaryFolder* base_ = nullptr;
-    static inline Told* told_ = nullptr;
+    static bool was_killed(const Ended& ended) {
+        return WIFSIGNALED(ended.status) && WTERMSIG(ended.status) == SIGKILL;
+    }
 };
 
 constexpr std::array kKinds{Kind::kKilled,   Kind::kTorn, Kind::kPowerCut,
@@ -100,8 +55,8 @@ TEST_F(EveryWrite, MayFailOrBeTheLastWithoutLoss) {
                                           std::to_string(at) + " of " + std::to_string(whole.told.calls) +
                                           ": " + ended.told.failed_call.data();
                 const bool is_end = kind == Kind::kKilled || kind == Kind::kTorn || kind == Kind::kPowerCut;
-                EXPECT_EQ(ended.was_killed, is_end) << where;
-                EXPECT_TRUE(ended.was_killed || (WIFEXITED(ended.status) && WEXITSTATUS(ended.status) == 0))
+                EXPECT_EQ(was_killed(ended), is_end) << where;
+                EXPECT_TRUE(was_killed(ended) || (WIFEXITED(ended.status) && WEXITSTATUS(ended.status) == 0))
                     << where << ": the program ended with " << ended.status;
                 borne += ended.told.is_done ? 1 : 0;
                 ++runs[kind];

@@ -6,16 +6,21 @@
 #include <set>
 
 #include "game/app/kiosk/gallery/interrupted_session.h"
+#include "game/app/kiosk/gallery/jar_keeping.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/app/kiosk/gallery/visit_journal.h"
 #include "game/app/kiosk/gallery/wall_of_the_day.h"
 #include "game/app/kiosk/health/house_status.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
+#include "game/app/kiosk/keeping/kiosk_keeper.h"
+#include "game/app/kiosk/keeping/kiosk_phone.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/system/start_log.h"
 #include "game/haptic/history.h"
+#include "game/haptic/simulated_device.h"
 #include "game/sharing/outbox.h"
 #include "tests/stress/whole.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/shared_pot_samples.h"
 #include "tests/unit/haptic/studio_hand.h"
 
@@ -28,6 +33,9 @@ constexpr double kRateHz = 500.0;
 constexpr std::int64_t kNoonS = 1'795'608'000;  // of kToday, UTC
 constexpr std::uint64_t kInterruptedTicks = 2000;
 constexpr const char* kSharedMark = "before";
+constexpr std::ptrdiff_t kFilesOfAPage = 23;
+constexpr std::ptrdiff_t kFilesOfAFilm = 2;
+constexpr const char* kKeptAlready = "2026-11-25/pot-001";
 
 haptic::HapticParameters parameters() {
     haptic::HapticParameters found;
@@ -90,12 +98,35 @@ fs::path state_of(const fs::path& museum) {
     return app::state_folder(gallery_of(museum));
 }
 
+app::JarKeeping jar_of(const fs::path& museum) {
+    return {state_of(museum), test::studio_start(), parameters()};
+}
+
+// As at a start. Returns whether there is a bowl.
+bool restore(app::JarKeeping& jar, std::vector<std::string>& remarks) {
+    if (const auto looked = jar.look(remarks); !looked) remarks.push_back(looked.error().message);
+    for (;;) {
+        const auto more = jar.restore(10'000);
+        if (!more) remarks.push_back(more.error().message);
+        if (!more || !*more) return jar.has_bowl();
+    }
+}
+
+// The second bowl of the jar is like the first. Thrown once; forked children inherit it.
+Visit& second_bowl() {
+    static Visit visit;
+    visit.throw_until(thrown().state.ticks);
+    return visit;
+}
+
 // Each returns whether the whole action succeeded.
 bool start(const fs::path& museum) {
     std::vector<std::string> remarks;
     app::StartKeeper starts(state_of(museum));
     static_cast<void>(starts.begin_now(remarks));
     app::Gallery(config_of(museum)).clear_parts();
+    app::JarKeeping jar = jar_of(museum);
+    static_cast<void>(restore(jar, remarks));
     static_cast<void>(
         app::InterruptedSession::find(state_of(museum), test::studio_start(), parameters(), remarks));
     app::WallOfTheDay wall(state_of(museum) / "wall.json");
@@ -131,6 +162,67 @@ bool keep_a_pot(const fs::path& museum) {
     return static_cast<bool>(gallery.keep(pot_to_keep(), kToday));
 }
 
+bool keep_a_jar(const fs::path& museum) {
+    std::vector<std::string> remarks;
+    app::JarKeeping bowls = jar_of(museum);
+    if (!restore(bowls, remarks)) return false;
+    const auto jar = bowls.join(second_bowl().history, {});
+    if (!jar || !bowls.note(app::JarStage::kJar)) return false;
+    app::PotToKeep pot = pot_to_keep();
+    pot.history = &*jar;
+    pot.clay = jar->state().studio();
+    pot.bowls = bowls.sessions();
+    app::Gallery gallery(config_of(museum));
+    if (!gallery.keep(std::move(pot), kToday)) return false;
+    bowls.forget();
+    return true;
+}
+
+// With the portrait, and the visit's count.
+bool keep_beside_the_frame(const fs::path& museum) {
+    kiosk::Config config = config_of(museum);
+    config.gallery.most_pots = 100;  // no pot gives way, whatever the day is
+    haptic::HapticJob job(test::studio_start(), parameters(), std::make_unique<haptic::SimulatedDevice>(),
+                          {});
+    app::KioskKeeper keeper(job, test::studio_start(), parameters(), app::Gallery(config),
+                            gallery_of(museum) / "statistics");
+    if (!keeper.start()) return false;
+    keeper.cut_off();
+    keeper.save(std::make_shared<const pot::Section>(wall_pot("").shape), 3);
+    keeper.note({.dwell_s = 60, .kept = 1});
+    std::shared_ptr<const app::KeeperAnswer> answer;
+    const auto is_saved = [&] {
+        return answer && std::holds_alternative<app::KeeperAnswer::Saved>(answer->what);
+    };
+    test::comes_true([&] {
+        answer = keeper.next_answer();
+        return is_saved() || (answer && std::holds_alternative<kiosk::Event>(answer->what));
+    });
+    return is_saved();
+}
+
+// The page of a pot of the gallery, with its pictures.
+bool share_beside_the_frame(const fs::path& museum) {
+    auto settings = app::load_settings("");
+    if (!settings) return false;
+    settings->config.gallery.folder = gallery_of(museum).string();
+    settings->config.sharing.outbox = (museum / "outbox").string();
+    settings->config.sharing.public_url = "http://pots.example";
+    app::KioskPhone phone(*settings);
+    if (!phone.start()) return false;
+    auto fired = std::make_shared<screens::FiredPot>();
+    fired->shape = wall_pot("").shape;
+    phone.share({.gallery_name = kKeptAlready, .pot = std::move(fired)});
+    std::shared_ptr<const app::PhoneAnswer> answer;
+    const app::PhoneAnswer::OfPot* of_pot = nullptr;
+    test::comes_true([&] {
+        answer = phone.next_answer();
+        of_pot = answer ? std::get_if<app::PhoneAnswer::OfPot>(&answer->what) : nullptr;
+        return of_pot != nullptr;
+    });
+    return of_pot != nullptr && of_pot->outcome == kiosk::ShareOutcome::kReady;
+}
+
 bool delete_a_pot(const fs::path& museum) {
     app::Gallery gallery(config_of(museum));
     const auto pots = gallery.pots();
@@ -149,7 +241,8 @@ bool share_in_place_of_the_oldest(const fs::path& museum) {
 
 bool put_on_the_wall(const fs::path& museum) {
     app::WallOfTheDay wall(state_of(museum) / "wall.json");
-    return wall.open(kToday) && wall.put(wall_pot("2026-11-25/pot-002"), kToday);
+    const bool has_opened = static_cast<bool>(wall.open(kToday));
+    return wall.put(wall_pot("2026-11-25/pot-002"), kToday) && has_opened;
 }
 
 bool count(const fs::path& museum) {
@@ -195,17 +288,20 @@ void expect_sound_gallery(const fs::path& museum, const Deed& deed, bool said_do
         names.insert(pot.name);
     }
     const bool has_new = names.contains("2026-11-25/pot-002");
-    EXPECT_TRUE(names.contains("2026-11-25/pot-001"));
+    EXPECT_TRUE(names.contains(kKeptAlready));
     // The oldest pot is removed only after the new one is written; it may stay if it cannot be removed.
     if (is(deed, "delete a pot")) {
         EXPECT_FALSE(names.contains("2026-11-24/pot-001") && said_done) << "it was said to be gone";
     } else if (!has_new) {
         EXPECT_TRUE(names.contains("2026-11-24/pot-001"));
     }
-    if (is(deed, "keep a pot")) {
+    if (is(deed, "keep a pot") || is(deed, "keep a jar")) {
         EXPECT_TRUE(has_new || !said_done);
     } else {
         EXPECT_FALSE(has_new);
+    }
+    if (is(deed, "keep beside the frame")) {
+        EXPECT_TRUE(names.size() == 3 || !said_done);
     }
     for (const auto& entry : fs::recursive_directory_iterator(gallery.folder())) {
         const std::string name = entry.path().filename().string();
@@ -226,16 +322,17 @@ void expect_sound_outbox(const fs::path& museum, const Deed& deed, bool said_don
     for (const sharing::OutboxEntry& entry : *entries) {
         const fs::path folder = museum / "outbox" / entry.code.text();
         const auto files = std::distance(fs::directory_iterator(folder), fs::directory_iterator());
-        EXPECT_EQ(files, 23) << "a page is half there";
         const std::string model = test::content_of(folder / "pot.glb");
         EXPECT_GT(model.size(), 20'000U);
         const bool is_old = model.starts_with(std::string("glTF ") + kSharedMark);
+        const bool has_film = is_old || !is(deed, "share beside the frame");
+        EXPECT_EQ(files, has_film ? kFilesOfAPage : kFilesOfAPage - kFilesOfAFilm) << "a page is half there";
         has_old = has_old || is_old;
         has_new = has_new || !is_old;
     }
     const bool gives_way = is(deed, "share in place of the oldest");
     EXPECT_TRUE(has_old || (gives_way && has_new)) << "a shared pot is gone";
-    const bool shares = gives_way || is(deed, "share a pot");
+    const bool shares = gives_way || is(deed, "share a pot") || is(deed, "share beside the frame");
     EXPECT_TRUE(shares ? has_new || !said_done : !has_new);
     for (const auto& entry : fs::directory_iterator(museum / "outbox"))
         EXPECT_FALSE(entry.path().string().ends_with(".part")) << entry.path() << " is left behind";
@@ -304,6 +401,20 @@ void expect_sound_visit(const fs::path& museum, const Deed& deed, bool said_done
     EXPECT_GE(found->history().ticks(), throws && said_done ? 2000U : kInterruptedTicks);
 }
 
+void expect_sound_jar(const fs::path& museum, const Deed& deed, bool said_done) {
+    // The keeper drops the bowls of a jar whose visitor kept another pot.
+    const bool keeps = is(deed, "keep a jar") || is(deed, "keep beside the frame");
+    const fs::path kept = gallery_of(museum) / "2026-11-25/pot-002";
+    std::vector<std::string> remarks;
+    app::JarKeeping jar = jar_of(museum);
+    const bool has_bowl = restore(jar, remarks);
+    EXPECT_TRUE(remarks.empty()) << remarks.front();
+    EXPECT_TRUE(has_bowl || (keeps && said_done) || fs::exists(kept / "bowl-1.onggi")) << "a bowl is gone";
+    if (is(deed, "keep a jar") && fs::exists(kept)) {
+        EXPECT_TRUE(fs::exists(kept / "bowl-1.onggi") && fs::exists(kept / "bowl-2.onggi"));
+    }
+}
+
 }  // namespace
 
 kiosk::Config config_of(const fs::path& museum) {
@@ -318,6 +429,7 @@ std::vector<Deed> deeds() {
     return {{"start", &start},
             {"throw with a journal", &throw_with_a_journal},
             {"keep a pot", &keep_a_pot},
+            {"keep a jar", &keep_a_jar},
             {"delete a pot", &delete_a_pot},
             {"share a pot", &share_a_pot},
             {"share in place of the oldest", &share_in_place_of_the_oldest},
@@ -326,6 +438,11 @@ std::vector<Deed> deeds() {
             {"set the house", &set_the_house},
             {"beat and end", &beat},
             {"keep a fault", &keep_a_fault}};
+}
+
+std::vector<Deed> deeds_of_threads() {
+    return {{"keep beside the frame", &keep_beside_the_frame},
+            {"share beside the frame", &share_beside_the_frame}};
 }
 
 void lay_out(const fs::path& museum) {
@@ -350,6 +467,12 @@ void lay_out(const fs::path& museum) {
     visit.throw_until(kInterruptedTicks + 50);
     ASSERT_TRUE(journal.follow(visit.history, 2'000'000'000));
     ASSERT_TRUE(journal.leave());
+    Visit bowl;
+    bowl.throw_until(second_bowl().state.ticks);
+    app::JarKeeping jar = jar_of(museum);
+    ASSERT_TRUE(jar.begin("moon-jar-nmk"));
+    ASSERT_TRUE(jar.set_aside(std::move(bowl.history)));
+    ASSERT_TRUE(jar.note(app::JarStage::kSecondBowl));
     ASSERT_TRUE(
         app::KioskHeartbeat(config_of(museum)).beat({.screen = "attract", .frames_shown = 1}, kNoonS));
     app::StartKeeper starts(state_of(museum));
@@ -365,6 +488,7 @@ void expect_sound(const fs::path& museum, const Deed& deed, bool said_done) {
     expect_sound_counts(museum, deed, said_done);
     expect_sound_settings(museum, deed, said_done);
     expect_sound_visit(museum, deed, said_done);
+    expect_sound_jar(museum, deed, said_done);
     const auto log = app::read_start_log_of(state_of(museum));
     ASSERT_TRUE(log) << log.error().message;
     const auto status = app::look_at_house(config_of(museum), kNoonS + 60);

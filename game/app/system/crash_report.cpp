@@ -110,12 +110,37 @@ void tell_who_called_nothing(const void* context) {
 #endif
 }
 
+// Whether this thread was refused memory.
+thread_local bool was_refused_memory = false;
+
+void note_refusal() {
+    was_refused_memory = true;
+    throw std::bad_alloc();
+}
+
+// Whether this thread unwinds, most likely because of that refusal: nothing tells which exception it is.
+bool unwinds_from_refusal() noexcept {
+    return std::uncaught_exceptions() > 0 && was_refused_memory;
+}
+
+// A lack of memory is not a crash: reports one line and ends with the exit code for system lacks.
+[[noreturn]] void end_without_memory() noexcept {
+    std::array<char, 17> thread{};
+    ::prctl(PR_GET_NAME, thread.data());
+    (Line(for_journal, "onggi: ") << "expected memory for the thread " << thread.data()
+                                  << ", found none left")
+        .write();
+    ::_exit(exit_code(ErrorKind::kSystemLacks));
+}
+
 void report_and_die(int signal, siginfo_t* info, void* context) {
     // The first thread that crashes reports it; others that crash meanwhile wait for the end.
     while (is_reporting.test_and_set())
         ::pause();
     // Ends the program if the report hangs, for example on the loader's lock.
     ::alarm(5);
+    // Assertions of some libraries fail while their objects are destroyed by an unwind.
+    if (signal == SIGABRT && info->si_pid == ::getpid() && unwinds_from_refusal()) end_without_memory();
     std::array<char, 17> thread{};
     ::prctl(PR_GET_NAME, thread.data());
     Line line(for_journal);
@@ -143,20 +168,18 @@ void report_and_die(int signal, siginfo_t* info, void* context) {
     ::raise(signal);
 }
 
-// Reports an allocation failure that no thread has caught, with one line and the exit code for system lacks;
-// it is not a crash. The terminate handler.
+// The terminate handler, for what no thread or start catches. An allocation failure is reported with one line
+// and the exit code for system lacks; it is not a crash.
 [[noreturn]] void end_without_memory_or_crash() noexcept {
     try {
         if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
     } catch (const std::bad_alloc&) {
-        std::array<char, 17> thread{};
-        ::prctl(PR_GET_NAME, thread.data());
-        (Line(for_journal, "onggi: ")
-         << "expected memory for the thread " << thread.data() << ", found none left")
-            .write();
-        ::_exit(exit_code(ErrorKind::kSystemLacks));
+        end_without_memory();
     } catch (...) {  // NOLINT: abort() reports it
+        std::abort();
     }
+    // GCC 12's noexcept functions do not tell the exception, once destructors ran (GCC's bug 97720).
+    if (unwinds_from_refusal()) end_without_memory();
     std::abort();
 }
 
@@ -200,6 +223,7 @@ void report_crashes() {
     const stack_t apart{.ss_sp = handler_stack.data(), .ss_flags = 0, .ss_size = handler_stack.size()};
     ::sigaltstack(&apart, nullptr);
     std::set_terminate(&end_without_memory_or_crash);
+    std::set_new_handler(&note_refusal);
     struct sigaction action {};
     action.sa_sigaction = &report_and_die;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;

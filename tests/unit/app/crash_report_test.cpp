@@ -43,5 +43,18 @@ TEST(CrashReport, SaysInOneLineThatAThreadFoundNoMemory) {
                 "^(<2>)?onggi: expected memory for the thread keeper, found none left\n$");
 }
 
+TEST(CrashReport, SaysSoWhereANoexceptFunctionStopsTheExceptionAfterDestructors) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto allocate = [] {
+        report_crashes();
+        []() noexcept {
+            const std::vector<int> destroyed(3);
+            std::get_new_handler()();  // as operator new calls it
+        }();
+    };
+    EXPECT_EXIT(allocate(), testing::ExitedWithCode(3),
+                "^(<2>)?onggi: expected memory for the thread [a-z_]+, found none left\n$");
+}
+
 }  // namespace
 }  // namespace onggi::app

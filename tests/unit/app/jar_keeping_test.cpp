@@ -45,7 +45,7 @@ struct JarKeepingTest : testing::Test {
     JarKeeping found() {
         JarKeeping jar = jar_in(folder.path());
         remarks.clear();
-        jar.look(remarks);
+        EXPECT_TRUE(jar.look(remarks));
         return jar;
     }
     // A jar whose first bowl is set aside.
@@ -63,6 +63,7 @@ struct JarKeepingTest : testing::Test {
 TEST_F(JarKeepingTest, DropsDamagedFilesWithOneLine) {
     for (const std::string text : {"", "{", "[]", R"({"format":1})",
                                    R"({"format":2,"stage":1,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
+                                   R"({"format":1,"stage":3e99,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
                                    R"({"format":1,"stage":7,"target":"x","shift_mm":[0,0],"mouth_mm":0})",
                                    R"({"format":1,"stage":1,"target":"x","shift_mm":[0],"mouth_mm":0})",
                                    R"({"format":1,"stage":1,"target":4,"shift_mm":[0,0],"mouth_mm":0})"}) {
@@ -93,8 +94,9 @@ TEST_F(JarKeepingTest, IsRestoredWithBothBowlsToTheBit) {
     EXPECT_EQ(again.stage(), JarStage::kJar);
     EXPECT_EQ(again.sessions().size(), 2U);
     EXPECT_EQ(again.start().hash(), joined->state().hash());
-    ASSERT_TRUE(again.left_over()) << "nothing was done to the jar yet";
-    EXPECT_EQ(again.left_over()->history().state().hash(), joined->state().hash());
+    const auto left = again.left_over();
+    ASSERT_TRUE(left && *left) << "nothing was done to the jar yet";
+    EXPECT_EQ((*left)->history().state().hash(), joined->state().hash());
 }
 
 TEST_F(JarKeepingTest, IsForgottenWithOneErrorWhereABowlCannotBeRead) {
@@ -113,10 +115,10 @@ TEST_F(JarKeepingTest, GoesOnWithTheBowlItHasWhereItsJournalIsGone) {
     JarKeeping jar = found();
     EXPECT_EQ(jar.stage(), JarStage::kFirstBowl);
     const auto bowl = jar.left_over();
-    ASSERT_TRUE(bowl);
-    while (bowl->work(100).value()) {
+    ASSERT_TRUE(bowl && *bowl);
+    while ((*bowl)->work(100).value()) {
     }
-    EXPECT_EQ(bowl->history().ticks(), 40U);
+    EXPECT_EQ((*bowl)->history().ticks(), 40U);
 }
 
 TEST_F(JarKeepingTest, GivesBackTheBowlThatWasDoneLast) {

@@ -76,6 +76,8 @@ TEST_F(WallTest, StartsEmptyIfItsFileIsDamaged) {
     for (const char* damage :
          {"", "{", "[]", R"({"day":"2026-11-24"})", R"({"day":"2026-11-24","pots":[{}]})",
           R"({"day":"2026-11-24","pots":[{"pot":"a","glaze":1,"outside":[[-1,0],[1e9,1]],"inside":[]}]})",
+          R"({"format":77777777777777777777777777,"day":"2026-11-24","pots":[]})",
+          R"({"day":"2026-11-24","pots":[{"pot":"a","glaze":3e99,"outside":[],"inside":[]}]})",
           R"({"day":"2026-11-24","pots":[{"pot":"a","glaze":"b","outside":[],"inside":[]}]})"}) {
         std::ofstream(file_) << damage;
         const auto opened = wall_.open(kToday);

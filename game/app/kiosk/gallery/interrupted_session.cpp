@@ -61,6 +61,8 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
     // There are several files if the program died while it rewrote the journal: the longest is complete.
     Found longest;
     const FolderListing listing = list_folder(folder);
+    // One that was not listed or could not be read may be the longest, and is there at the next start.
+    bool knows_all = listing.is_whole();
     if (!listing.is_whole()) remarks.push_back("interrupted visit: " + listing_trouble(folder, listing));
     std::vector<fs::path> others = journals_among(listing.entries);
     const std::vector<std::byte> start_bytes = haptic::start_state_bytes(start, parameters);
@@ -70,7 +72,10 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
         if (fs::file_size(file, ignored) < start_bytes.size()) continue;
         auto session = session_of(file, start, parameters, start_bytes);
         if (!session) {
-            remarks.push_back("interrupted visit: dropped: " + session.error().message);
+            const bool is_damaged = session.error().kind == ErrorKind::kBadInput;
+            knows_all = knows_all && is_damaged;
+            remarks.push_back(std::string("interrupted visit: ") + (is_damaged ? "dropped: " : "not read: ") +
+                              session.error().message);
             continue;
         }
         if (!session->damage().empty()) {
@@ -81,13 +86,12 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
         if (session->tick_count() > longest.ticks()) longest = {file, std::move(*session)};
     }
     std::erase(others, longest.file);
-    // Deletes nothing if the listing is incomplete: an unlisted file may be the longest.
-    if (listing.is_whole()) {
+    if (knows_all) {
         for (const fs::path& file : others)
             fs::remove(file, ignored);
     }
     if (!longest.session) return nullptr;
-    if (listing.is_whole() || !fs::exists(folder / kSpillFile, ignored))
+    if (knows_all || !fs::exists(folder / kSpillFile, ignored))
         fs::rename(longest.file, folder / kSpillFile, ignored);
     return std::unique_ptr<InterruptedSession>(
         new InterruptedSession(std::move(*longest.session), start, parameters, folder));

@@ -10,6 +10,7 @@
 
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
+#include "game/app/system/whole_number.h"
 #include "game/clay/studio/joining.h"
 
 namespace onggi::app {
@@ -126,8 +127,8 @@ Result<void> JarKeeping::read_note() {
     if (!text) return text.error();
     try {
         const nlohmann::json note = nlohmann::json::parse(*text);
-        const int format = note.at("format").get<int>();
-        const int stage = note.at("stage").get<int>();
+        const int format = whole_number<int>(note.at("format"));
+        const int stage = whole_number<int>(note.at("stage"));
         if (format != kJarFormat || stage < static_cast<int>(JarStage::kFirstBowl) ||
             stage > static_cast<int>(JarStage::kJar)) {
             return bad_input(fmt::format("{}: expected a jar of format {} at stage 1 to 3, found {} at {}",
@@ -145,21 +146,25 @@ Result<void> JarKeeping::read_note() {
     return {};
 }
 
-void JarKeeping::look(std::vector<std::string>& remarks) {
+Result<void> JarKeeping::look(std::vector<std::string>& remarks) {
     std::error_code ignored;
-    if (!std::filesystem::exists(note_place(), ignored)) return forget();
-    if (const auto read = read_note(); !read) {
+    if (!std::filesystem::exists(note_place(), ignored)) {
+        forget();
+    } else if (auto read = read_note(); !read) {
+        if (read.error().kind != ErrorKind::kBadInput) return read;
         remarks.push_back("interrupted jar: dropped: " + read.error().message);
         forget();
     }
+    return {};
 }
 
-std::unique_ptr<InterruptedSession> JarKeeping::left_over() const {
+Result<std::unique_ptr<InterruptedSession>> JarKeeping::left_over() const {
     const std::filesystem::path file =
         session_place(stage_ == JarStage::kFirstBowl ? kFirstBowl : kSecondBowl);
     std::error_code ignored;
     if (stage_ != JarStage::kJar && std::filesystem::exists(file, ignored)) {
-        if (auto bowl = InterruptedSession::read(file, lump_, parameters_, folder_)) return std::move(*bowl);
+        auto bowl = InterruptedSession::read(file, lump_, parameters_, folder_);
+        if (bowl || bowl.error().kind != ErrorKind::kBadInput) return bowl;
     }
     return has_bowl() ? InterruptedSession::of_nothing(start(), parameters_, folder_) : nullptr;
 }
@@ -172,7 +177,7 @@ Result<bool> JarKeeping::restore(int ticks) {
         auto bowl = InterruptedSession::read(session_place(is_second ? kSecondBowl : kFirstBowl), lump_,
                                              parameters_, folder_);
         if (!bowl) {
-            forget();
+            if (bowl.error().kind == ErrorKind::kBadInput) forget();
             return bowl.error();
         }
         restored_ = std::move(*bowl);

@@ -66,13 +66,14 @@ class JarKeeping {
     // end. Empty if the bowls are not joined.
     [[nodiscard]] std::vector<std::filesystem::path> sessions() const;
 
-    // Reads the state of an interrupted visit; appends a line to `remarks` for damaged files.
-    void look(std::vector<std::string>& remarks);
+    // Reads the state of an interrupted visit; appends a line to `remarks` for damaged files, which are
+    // dropped. Error: the disk or memory fails; the files stay for the next start.
+    Result<void> look(std::vector<std::string>& remarks);
     // Replays up to `ticks` more ticks of the bowls. Returns true while there are more. Error: a bowl cannot
-    // be replayed; the jar is then dropped.
+    // be replayed, and the jar is dropped; or one cannot be read, as in look(), and the stage stays.
     Result<bool> restore(int ticks);
-    // The clay on the jar's wheel if it has no journal; otherwise null.
-    [[nodiscard]] std::unique_ptr<InterruptedSession> left_over() const;
+    // The clay on the jar's wheel if it has no journal; otherwise null. Errors as look().
+    [[nodiscard]] Result<std::unique_ptr<InterruptedSession>> left_over() const;
     // The state with which the clay on the jar's wheel began.
     [[nodiscard]] const haptic::HapticState& start() const { return jar_start_ ? *jar_start_ : lump_; }
 

@@ -10,6 +10,7 @@
 #include "engine/asset/image.h"
 #include "engine/core/list_folder.h"
 #include "engine/core/number_in.h"
+#include "engine/core/within_memory.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
 #include "engine/files/read_file.h"
@@ -177,7 +178,11 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get())); !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();
-    make_room(place, today);  // only now: a pot that cannot be kept deletes no other
+    // Only now: a pot that cannot be kept deletes no other. Without memory the old ones wait for the next.
+    static_cast<void>(within_memory("gallery", [&]() -> Result<void> {
+        make_room(place, today);
+        return {};
+    }));
     return number;
 }
 

@@ -11,6 +11,7 @@
 #include "engine/files/atomic_file.h"
 #include "engine/files/read_file.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "game/app/system/whole_number.h"
 #include "game/finish/glaze.h"
 #include "game/sharing/kept_note.h"
 
@@ -50,7 +51,7 @@ std::vector<WallPot> pots_of(const json& list) {
     for (const json& one : list) {
         if (pots.size() == WallOfTheDay::kMostPots) break;
         WallPot pot{.gallery_name = one.at("pot").get<std::string>(),
-                    .glaze = std::clamp(one.at("glaze").get<int>(), 0, finish::kGlazeCount - 1),
+                    .glaze = std::clamp(whole_number<int>(one.at("glaze")), 0, finish::kGlazeCount - 1),
                     .shape = {points_of(one.at("outside")), points_of(one.at("inside"))}};
         if (pot.shape.outside.size() > 1) pots.push_back(std::move(pot));
     }
@@ -66,6 +67,13 @@ Result<void> WallOfTheDay::turn_to(const std::string& today) {
 
 Result<void> WallOfTheDay::open(const std::string& today) {
     day_ = today;
+    Result<void> done = read();
+    is_unread_ = !done && done.error().kind == ErrorKind::kSystemLacks;
+    return done;
+}
+
+// Those of day_.
+Result<void> WallOfTheDay::read() {
     day_on_disk_.clear();
     pots_.clear();
     std::error_code ignored;
@@ -75,12 +83,13 @@ Result<void> WallOfTheDay::open(const std::string& today) {
     try {
         const json wall = json::parse(*text);
         // The first files have no format field.
-        if (const int format = wall.value("format", kFormat); format != kFormat) {
+        if (const int format = wall.contains("format") ? whole_number<int>(wall.at("format")) : kFormat;
+            format != kFormat) {
             return bad_input(
                 fmt::format("{}: expected a wall of format {}, found {}", file_.string(), kFormat, format));
         }
         day_on_disk_ = wall.at("day").get<std::string>();
-        if (today < day_of(sharing::kClockIsSetS)) day_ = std::max(today, day_on_disk_);
+        if (day_ < day_of(sharing::kClockIsSetS)) day_ = std::max(day_, day_on_disk_);
         if (day_on_disk_ == day_) pots_ = pots_of(wall.at("pots"));
     } catch (const json::exception& error) {
         return bad_input(
@@ -90,7 +99,9 @@ Result<void> WallOfTheDay::open(const std::string& today) {
 }
 
 Result<void> WallOfTheDay::put(WallPot pot, const std::string& today) {
-    if (day_ != today) static_cast<void>(open(today));
+    if (day_ != today || is_unread_) {
+        if (auto opened = open(today); is_unread_) return opened;
+    }
     std::erase_if(pots_, [&](const WallPot& other) { return other.gallery_name == pot.gallery_name; });
     pots_.push_back(std::move(pot));
     if (pots_.size() > kMostPots) pots_.erase(pots_.begin());
@@ -98,13 +109,16 @@ Result<void> WallOfTheDay::put(WallPot pot, const std::string& today) {
 }
 
 Result<void> WallOfTheDay::take(const std::string& gallery_name) {
+    if (is_unread_) {
+        if (auto opened = open(day_); is_unread_) return opened;
+    }
     const auto gone =
         std::erase_if(pots_, [&](const WallPot& pot) { return pot.gallery_name == gallery_name; });
     return gone == 0 ? Result<void>{} : write();
 }
 
 Result<void> WallOfTheDay::clear() {
-    if (pots_.empty()) return {};
+    if (pots_.empty() && !std::exchange(is_unread_, false)) return {};
     pots_.clear();
     return write();
 }

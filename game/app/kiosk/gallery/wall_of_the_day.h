@@ -26,15 +26,16 @@ class WallOfTheDay {
     explicit WallOfTheDay(std::filesystem::path file) : file_(std::move(file)) {}
 
     // Reads that day's wall from the disk; the wall is empty if the file is of another day. Until the
-    // machine's clock is set, the day on the disk continues. Bad input: the file is damaged; the wall is then
-    // empty, and the next put() replaces the file.
+    // machine's clock is set, the day on the disk continues. The wall is empty after an error. Bad input: the
+    // file is damaged, and the next put() replaces it. System lacks: memory or rights; the file stays, and is
+    // read again before it changes.
     Result<void> open(const std::string& today);
     // Switches to another day of the machine's clock, which may have gone forwards or back, and reads that
     // day's wall from the disk. Deletes a past day's file, but keeps a future day's, because the clock may be
     // corrected.
     Result<void> turn_to(const std::string& today);
-    // Puts each pot only once. Errors of these three functions: the disk's; the wall in memory changes all
-    // the same.
+    // Puts each pot only once. Errors of these three functions: those of open(), without effect; the disk's,
+    // and the wall in memory changes all the same.
     Result<void> put(WallPot pot, const std::string& today);
     Result<void> take(const std::string& gallery_name);
     Result<void> clear();
@@ -43,11 +44,13 @@ class WallOfTheDay {
     [[nodiscard]] const std::string& day() const { return day_; }
 
   private:
+    Result<void> read();
     Result<void> write() const;
 
     std::filesystem::path file_;
     std::string day_;
     std::string day_on_disk_;  // read by open()
+    bool is_unread_ = false;   // for want of memory or rights
     std::vector<WallPot> pots_;
 };
 

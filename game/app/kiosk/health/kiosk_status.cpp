@@ -5,6 +5,7 @@
 
 #include "engine/core/quote.h"
 #include "game/app/system/or_null.h"
+#include "game/app/system/whole_number.h"
 
 namespace onggi::app {
 
@@ -24,13 +25,16 @@ std::optional<double> number_or_none(const json& value) {
 }
 
 StatusNote note_of(const json& all) {
-    return {.at_s = all.at("at_s").get<std::int64_t>(),
+    const json& pulse = all.at("pulse");
+    for (const char* key : {"faults", "skipped_periods", "late_periods", "frames_shown", "haptic_ticks"})
+        static_cast<void>(whole_number<std::uint64_t>(pulse.at(key)));
+    return {.at_s = whole_number<std::int64_t>(all.at("at_s")),
             .has_ended = all.at("has_ended").get<bool>(),
             .running_s = all.at("running_s").get<double>(),
             .picture_moves = all.at("picture_moves").get<bool>(),
             .hand_turns = all.at("hand_turns").get<bool>(),
             .version = all.at("version").get<std::string>(),
-            .pulse = all.at("pulse").get<KioskPulse>(),
+            .pulse = pulse.get<KioskPulse>(),
             .celsius = number_or_none(all.at("celsius")),
             .resident_mb = number_or_none(all.at("resident_mb"))};
 }
@@ -54,7 +58,7 @@ std::string text_of(const StatusNote& note) {
 Result<StatusNote> read_status_note(std::string_view text, const std::string& file) {
     try {
         const json all = json::parse(text);
-        const int format = all.at("format").get<int>();
+        const int format = whole_number<int>(all.at("format"));
         if (format != StatusNote::kFormat) {
             return bad_input(fmt::format("{}: expected a status of format {}, found {}", shown_path(file),
                                          StatusNote::kFormat, format));

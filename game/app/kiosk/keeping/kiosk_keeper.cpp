@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/core/within_memory.h"
 #include "engine/files/atomic_file.h"
 #include "engine/files/atomic_folder.h"
 #include "engine/files/read_file.h"
@@ -116,7 +117,10 @@ bool KioskKeeper::work_out_interrupted_session() {
         gallery_.clear_parts();
         files::clear_parts(statistics_);  // may be elsewhere
         std::vector<std::string> remarks;
-        jar_.look(remarks);
+        const auto looked = jar_.look(remarks);
+        // A visit that belongs to a jar that is not read is left alone.
+        has_found_ = !looked;
+        complain(looked);
         tell_all(std::move(remarks));
     }
     if (!has_found_ && find_interrupted_session()) return true;
@@ -367,14 +371,17 @@ void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
         if (!cut_ || shape == nullptr) return;
         history_.let_go_of_states();  // a fired pot cannot be undone
         give_back_memory();
-        PotToKeep pot{.history = &history_,
-                      .clay = cut_.get(),
-                      .glaze = &finish::glaze_at(glaze),
-                      .portrait = portrait(*shape, glaze, kPortraitPx),
-                      .marks = shape->marks,
-                      .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>()};
         const std::string day = today();
-        if (const auto number = gallery_.keep(std::move(pot), day)) {
+        const auto number = within_memory("gallery", [&] {
+            PotToKeep pot{.history = &history_,
+                          .clay = cut_.get(),
+                          .glaze = &finish::glaze_at(glaze),
+                          .portrait = portrait(*shape, glaze, kPortraitPx),
+                          .marks = shape->marks,
+                          .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>()};
+            return gallery_.keep(std::move(pot), day);
+        });
+        if (number) {
             end_journal();
             jar_.forget();
             const std::string name = fmt::format("{}/pot-{:03}", day, *number);
@@ -401,10 +408,17 @@ bool KioskKeeper::find_interrupted_session() {
     if (more && *more) return true;
     if (!more) complain("interrupted jar: " + more.error().message);
     has_found_ = true;
+    if (!more && jar_.stage() != JarStage::kNone) return false;  // may be read at the next start
     std::vector<std::string> remarks;
     interrupted_session_ = InterruptedSession::find(visits_, jar_.start(), parameters_, remarks);
     tell_all(std::move(remarks));
-    if (!interrupted_session_) interrupted_session_ = jar_.left_over();
+    if (interrupted_session_) return false;
+    auto left_over = jar_.left_over();
+    if (!left_over) {
+        complain("interrupted jar: " + left_over.error().message);
+        return false;
+    }
+    interrupted_session_ = std::move(*left_over);
     if (!interrupted_session_) jar_.forget();
     return false;
 }
@@ -422,7 +436,7 @@ std::shared_ptr<const decoration::Recorded> KioskKeeper::interrupted_drawing() {
                        : Result<decoration::Recorded>(bytes.error());
     if (drawn) return std::make_shared<const decoration::Recorded>(std::move(*drawn));
     complain("interrupted visit: decoration dropped: " + drawn.error().message);
-    remove_drawing();
+    if (drawn.error().kind == ErrorKind::kBadInput) remove_drawing();
     return nullptr;
 }
 

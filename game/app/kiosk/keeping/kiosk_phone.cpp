@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/asset/image.h"
+#include "engine/core/within_memory.h"
 #include "engine/files/atomic_file.h"
 #include "game/app/kiosk/keeping/kiosk_share.h"
 #include "game/finish/glaze.h"
@@ -180,7 +181,7 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
 }
 
 void KioskPhone::share_now(const PotToShare& kept) {
-    auto way = shared(kept);
+    auto way = within_memory("the page", [&] { return shared(kept); });
     if (!way)
         return answer({.what = PhoneAnswer::OfPot{kiosk::ShareOutcome::kFailed, kept.gallery_name},
                        .words = "sharing: " + way.error().message});

@@ -1,0 +1,137 @@
+// At each allocation of an action of the kiosk, memory runs short, once or for good: the action is done all
+// the same, or fails with an error, or ends the program in one line with exit code 3; never a crash. Then the
+// checks of every_write_test.cpp hold, and a pot that is kept is the same to the byte as without a shortage.
+// ONGGI_EVERY_FAULT=1 tries every allocation both ways; ./check at most two hundred of each action, evenly
+// spread, once and for good by turns.
+#include <fcntl.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "game/app/system/crash_report.h"
+#include "tests/faults/allocation_faults.h"
+#include "tests/faults/forked_deed.h"
+
+namespace onggi::faults {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr long kMostRuns = 200;  // of an action
+
+// Content by path, and a folder's path alone.
+using Files = std::map<std::string, std::string>;
+
+Files files_in(const fs::path& folder) {
+    Files found;
+    if (!fs::exists(folder)) return found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        found[fs::relative(entry.path(), folder)] =
+            entry.is_regular_file() ? test::content_of(entry.path()) : "";
+    return found;
+}
+
+std::vector<Deed> all_deeds() {
+    std::vector<Deed> all = deeds();
+    for (const Deed& deed : deeds_of_threads())
+        all.push_back(deed);
+    return all;
+}
+
+class EveryAllocation : public ForkedDeed, public testing::WithParamInterface<Deed> {
+  protected:
+    EveryAllocation() : said_(::open((folder_ / "said").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {}
+    ~EveryAllocation() override { ::close(said_); }
+
+    Ended act(const fs::path& museum, Shortage shortage, long at) {
+        EXPECT_EQ(::ftruncate(said_, 0), 0);
+        ::lseek(said_, 0, SEEK_SET);
+        return in_a_fork([&](Told& told) {
+            ::dup2(said_, STDERR_FILENO);
+            app::report_crashes();
+            run_short(shortage, at);
+            // As a thread of the kiosk, which ends the program by what it throws.
+            const auto beside = [&]() noexcept { return GetParam().act(museum); };
+            told.is_done = beside();
+            end_shortage();
+            told.calls = allocations();
+        });
+    }
+    void expect_told(const Ended& ended) {
+        ASSERT_TRUE(WIFEXITED(ended.status)) << "signal " << WTERMSIG(ended.status) << said();
+        if (WEXITSTATUS(ended.status) == 0) return;
+        EXPECT_EQ(WEXITSTATUS(ended.status), 3) << said();
+        // A library's assertion about its own state may stand before it.
+        EXPECT_TRUE(std::regex_match(
+            said(), std::regex("(.* Assertion `.*' failed\\.\n)?"
+                               "onggi: expected memory for the thread [a-z_]+, found none left\n")))
+            << said();
+    }
+    // The museum after the action, by all its files. The same one is checked once an action.
+    void expect_sound_museum(const fs::path& museum, bool said_done) {
+        Files now = files_in(museum);
+        const auto same = [&](const fs::path& pot, const fs::path& as) {
+            return !fs::exists(museum / pot) || files_in(museum / pot) == files_in(as / pot);
+        };
+        for (const char* const pot : {"gallery/2026-11-24/pot-001", "gallery/2026-11-25/pot-001"})
+            EXPECT_TRUE(same(pot, laid_out())) << pot << " is damaged";
+        EXPECT_TRUE(same("gallery/2026-11-25/pot-002", folder_ / "whole")) << "kept in part";
+        is_as_laid_out_ = now == files_in(laid_out());
+        if (!seen_.emplace(said_done, std::move(now)).second) return;
+        ++checked_;
+        is_as_laid_out_ = false;  // the checks write
+        expect_sound(museum, GetParam(), said_done);
+    }
+    fs::path museum() { return std::exchange(is_as_laid_out_, false) ? folder_ / "museum" : fresh(); }
+    [[nodiscard]] std::string said() const { return test::content_of(folder_ / "said"); }
+
+    int said_;  // what the child says
+    std::set<std::pair<bool, Files>> seen_;
+    int checked_ = 0;
+    bool is_as_laid_out_ = false;
+};
+
+TEST_P(EveryAllocation, MayFailAndNothingIsLost) {
+    const bool all = std::getenv("ONGGI_EVERY_FAULT") != nullptr;
+    const Deed& deed = GetParam();
+    const Ended whole = act(fresh(), Shortage::kNone, 0);
+    ASSERT_TRUE(WIFEXITED(whole.status) && whole.told.is_done) << said();
+    fs::copy(folder_ / "museum", folder_ / "whole", fs::copy_options::recursive);
+    expect_sound(folder_ / "museum", deed, true);
+    // Odd, so that every second place of a pattern in the allocations is met too.
+    const long stride = all ? 1 : whole.told.calls / kMostRuns | 1;
+    int runs = 0;
+    int done = 0;
+    int ended_early = 0;
+    for (long at = 1; at <= whole.told.calls; at += stride) {
+        for (const Shortage shortage : {Shortage::kOnce, Shortage::kForGood}) {
+            if (!all && (shortage == Shortage::kOnce) != (at / stride % 2 == 0)) continue;
+            const fs::path there = museum();
+            const Ended ended = act(there, shortage, at);
+            expect_told(ended);
+            ++runs;
+            done += ended.told.is_done ? 1 : 0;
+            ended_early += ended.status != 0 ? 1 : 0;
+            expect_sound_museum(there, ended.told.is_done);
+            if (HasFailure())
+                FAIL() << "short " << name_of(shortage) << " at allocation " << at << " of "
+                       << whole.told.calls << ": " << said();
+        }
+    }
+    std::printf(
+        "%s: %ld allocations, %d runs; done all the same %d times, ended in one line %d times; %d museums "
+        "checked\n",
+        deed.name, whole.told.calls, runs, done, ended_early, checked_);
+}
+
+INSTANTIATE_TEST_SUITE_P(, EveryAllocation, testing::ValuesIn(all_deeds()), [](const auto& one) {
+    std::string name = one.param.name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace onggi::faults
