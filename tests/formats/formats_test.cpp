@@ -119,7 +119,7 @@ TEST(Jars, OfVersion1AreGoneOnWith) {
     const haptic::HapticState lump(clay::StudioClay(clay::StudioLump{}));
     app::JarKeeping jar(folder.path(), lump, {});
     std::vector<std::string> remarks;
-    jar.look(remarks);
+    ASSERT_TRUE(jar.look(remarks));
     EXPECT_TRUE(remarks.empty());
     EXPECT_EQ(jar.stage(), app::JarStage::kFirstBowl);
     EXPECT_EQ(jar.target(), "moon-jar-nmk");
