@@ -13,6 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/core/within_memory.h"
 #include "engine/math/math.h"
 #include "engine/ui/painting.h"
 #include "engine/ui/path.h"
@@ -147,8 +148,15 @@ void trace(cairo_t* cairo, const std::vector<PathStep>& steps) {
     }
 }
 
-Surface create_surface(int width, int height) {
-    return Surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+// Cairo goes on without memory, and draws nothing more.
+void expect_memory(cairo_status_t status) {
+    if (status == CAIRO_STATUS_NO_MEMORY) refuse_memory();
+}
+
+Surface create_surface(int width, int height, cairo_format_t format = CAIRO_FORMAT_ARGB32) {
+    Surface surface(cairo_image_surface_create(format, width, height));
+    expect_memory(cairo_surface_status(surface.get()));
+    return surface;
 }
 
 // Lengths of the items are u; the context is already scaled to them.
@@ -170,7 +178,7 @@ void draw(cairo_t* cairo, const Shadow& shadow, float px_per_u) {
     const int width = static_cast<int>(std::ceil(reach.width * px_per_u));
     const int height = static_cast<int>(std::ceil(reach.height * px_per_u));
     if (width <= 0 || height <= 0) return;
-    const Surface mask(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));
+    const Surface mask = create_surface(width, height, CAIRO_FORMAT_A8);
     {
         const Cairo into(cairo_create(mask.get()));
         cairo_scale(into.get(), double{px_per_u}, double{px_per_u});
@@ -432,11 +440,23 @@ thread_local std::uint64_t work_done = 0;
 }  // namespace
 
 struct Painter::Impl {
-    FontMap fonts = create_font_map();
-    Context context = create_context(fonts.get());
     std::unordered_map<std::string, TextSize> sizes;
 
-    void write(cairo_t* cairo, const Writing& writing, float px_per_u) const;
+    // Made with the first text: a picture of a pot needs no fonts, and Pango ends the program where it finds
+    // no memory.
+    PangoFontMap* fonts() {
+        if (!font_map) font_map = create_font_map();
+        return font_map.get();
+    }
+    PangoContext* context() {
+        if (!pango_context) pango_context = create_context(fonts());
+        return pango_context.get();
+    }
+    void write(cairo_t* cairo, const Writing& writing, float px_per_u);
+
+  private:
+    FontMap font_map;
+    Context pango_context;
 };
 
 Painter::Painter() : impl_(std::make_unique<Impl>()) {}
@@ -447,7 +467,7 @@ TextSize Painter::measure(const Text& text) {
     if (const auto found = impl_->sizes.find(key); found != impl_->sizes.end()) return found->second;
     ++work_done;
     const float px_per_u = kMeasuredPx / text.style.size;
-    const TextSize size = size_of(lay_out(impl_->context.get(), text, px_per_u, 0.0F).get(), text);
+    const TextSize size = size_of(lay_out(impl_->context(), text, px_per_u, 0.0F).get(), text);
     if (impl_->sizes.size() >= kMostRemembered) impl_->sizes.clear();
     impl_->sizes.emplace(std::move(key), size);
     return size;
@@ -455,9 +475,9 @@ TextSize Painter::measure(const Text& text) {
 
 // Writes line by line, each centred in its line height, as a browser does; Pango's own line spacing depends
 // on the fallback fonts that a line uses.
-void Painter::Impl::write(cairo_t* cairo, const Writing& writing, float px_per_u) const {
+void Painter::Impl::write(cairo_t* cairo, const Writing& writing, float px_per_u) {
     const TextStyle& style = writing.text.style;
-    const Layout layout = lay_out(context.get(), writing.text, px_per_u, writing.box_width * px_per_u);
+    const Layout layout = lay_out(context(), writing.text, px_per_u, writing.box_width * px_per_u);
     cairo_save(cairo);
     cairo_identity_matrix(cairo);
     set_colour(cairo, style.colour);
@@ -506,6 +526,7 @@ Painting Painter::paint(const Sketch& sketch) {
         }
     }
     if (sketch.fade) fade(cairo.get(), *sketch.fade);
+    expect_memory(cairo_status(cairo.get()));
     return read(surface.get());
 }
 
@@ -516,7 +537,7 @@ std::uint64_t Painter::work_of_this_thread() {
 std::vector<std::string> Painter::missing_families(std::span<const std::string> families) const {
     PangoFontFamily** known = nullptr;
     int count = 0;
-    pango_font_map_list_families(impl_->fonts.get(), &known, &count);
+    pango_font_map_list_families(impl_->fonts(), &known, &count);
     std::vector<std::string> missing;
     for (const std::string& family : families) {
         const bool is_there = std::any_of(known, known + count, [&](PangoFontFamily* one) {
