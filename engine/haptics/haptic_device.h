@@ -80,6 +80,11 @@ class HapticDevice {
     // The person does something with it: beyond the device's noise, not merely holding it. A recording always
     // does.
     [[nodiscard]] virtual bool is_moving() const noexcept { return true; }
+    // The person has changed something, so somebody is there. A hand that holds a stick still moves the tool
+    // and gives no such sign.
+    [[nodiscard]] virtual bool lives() const noexcept { return is_moving(); }
+    // One of its controls does not come to rest (control_sense.h): it is worn, or something leans on it.
+    [[nodiscard]] virtual bool never_rests() const noexcept { return false; }
     // Another device has brought the tool here; go on from there where the device can.
     virtual void take_over(const dvec3& /*position_mm*/) noexcept {}
     // write: the limited force on the tool, N, wheel frame. Held until the next tick.

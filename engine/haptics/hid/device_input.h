@@ -36,6 +36,7 @@ struct DeviceInput {
     };
     Motion motion = Motion::kNone;
     dvec2 rate_mm_s{0.0};  // radius, height
+    dvec2 push{0.0};       // the push that asks for that rate, of the travel beyond the dead band, -1 to 1
     dvec2 place_mm{0.0};   // radius, height
     // Besides either: how far the hand has pushed the tool since it was plugged in, a sum that only its
     // changes are taken from, so that no report is missed.
