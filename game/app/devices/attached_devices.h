@@ -33,8 +33,11 @@ class AttachedDevices {
     [[nodiscard]] std::vector<std::string> news();
     // The device that has the tool; empty: the first.
     [[nodiscard]] std::string holder() const;
-    // Whether somebody has done something with a device besides the first, or a pedal, since the last call.
+    // Whether somebody has changed something at a device besides the first, or at a pedal, since the last
+    // call.
     [[nodiscard]] bool somebody_moved();
+    // The names of those that do not come to rest (control_sense.h).
+    [[nodiscard]] std::vector<std::string> restless() const;
     // Whether a device besides the first is plugged in and works, as of the last news().
     [[nodiscard]] bool has_device() const;
     // The devices and pedals that are plugged in, as of the last news().

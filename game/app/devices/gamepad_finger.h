@@ -2,9 +2,12 @@
 // thread, once a frame. mm, s.
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "engine/haptics/control_sense.h"
 #include "engine/math/math.h"
 #include "engine/window/events.h"
 #include "engine/window/gamepad.h"
@@ -18,13 +21,15 @@ struct GamepadMapping {
     // A trigger presses when it is pulled so far, and until it is let go so far.
     double pressed_at = 0.5;
     double released_at = 0.3;
-    double longest_still_s = 60.0;  // a button that is held so long while nothing moves is stuck
+    // A button that is held so long while nothing moves is stuck.
+    double longest_still_s = haptics::kControlRestsS;
+    double noise = 0.05;  // of a stick's and a trigger's travel: a change by less is no sign of life
 };
 
 // What a pad asks for in one frame.
 struct GamepadRequest {
     dvec2 step_mm{0.0};         // of the finger on its plane
-    bool is_used = false;       // anything at all
+    bool is_used = false;       // somebody has changed anything at all
     bool is_for_clay = false;   // anything but what walks the ring
     bool presses = false;       // the finger is on the clay
     double speed_steps = 0.0;   // a faster or slower wheel
@@ -46,11 +51,29 @@ class GamepadFinger {
     // and down changes the tool's size; Start is a fresh lump. The cross to the sides walks a ring through
     // the buttons of the screen, and X takes the one that it is on.
     [[nodiscard]] GamepadRequest request(std::span<const window::Gamepad> pads, double dt_s);
+    // The names of the pads of the last request that do not come to rest (control_sense.h).
+    [[nodiscard]] std::vector<std::string> restless() const;
 
   private:
+    // What tells a person at a pad from its wear.
+    struct Watched {
+        std::string name;
+        bool is_here;
+        haptics::ControlSense left;
+        haptics::ControlSense right;
+        haptics::ControlSense trigger;
+        haptics::ControlSense buttons;
+    };
+    struct Lives {
+        bool sticks = false;
+        bool trigger = false;
+        bool buttons = false;
+    };
+    [[nodiscard]] Lives watch(const window::Gamepad& pad, double dt_s);
     [[nodiscard]] bool presses(bool button, double trigger, bool is_moving, double dt_s);
 
     GamepadMapping mapping_;
+    std::map<int, Watched> watched_;  // by slot; of pads that were pulled out, too
     bool trigger_presses_ = false;
     double still_s_ = 0.0;            // since the finger was moved while it presses
     std::uint32_t last_buttons_ = 0;  // of all pads

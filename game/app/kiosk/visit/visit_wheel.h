@@ -85,7 +85,7 @@ class VisitWheel {
     void end_shows() { demo_runs_ = false; }
 
     // What clay and force tell the visit.
-    void take_clay(const haptic::Snapshot& snapshot);
+    void take_clay(const haptic::Snapshot& snapshot, bool holder_lives);
     void take_fault(const VisitMoment& moment);
     // Where the hand and its tool go next.
     void move_hand(const VisitMoment& moment);
