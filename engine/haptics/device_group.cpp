@@ -102,14 +102,23 @@ HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
         turn_by(sample, held, seen_[holder_].is_here);
     }
     bool lives = false;
-    for (std::size_t device = 1; device < devices_.size(); ++device)
-        lives = lives || (seen_[device].is_here && seen_[device].is_moving);
+    std::uint32_t restless = 0;
+    std::uint32_t bit = 1;  // the first's, of which the window tells
+    for (std::size_t device = 1; device < devices_.size(); ++device) {
+        bit <<= 1U;
+        if (!seen_[device].is_here) continue;
+        lives = lives || devices_[device]->lives();
+        restless |= devices_[device]->never_rests() ? bit : 0U;
+    }
     for (const auto& pedal : pedals_) {
+        bit <<= 1U;
         const HandSample foot = pedal->read(tick, dt_s);
-        lives = lives || foot.button;
+        lives = lives || pedal->lives();
+        restless |= pedal->never_rests() ? bit : 0U;
         turn_by(sample, foot, true);
     }
-    // No other thread writes it.
+    restless_.store(restless, std::memory_order_relaxed);
+    // This thread alone writes it.
     if (lives)
         signs_of_life_.store(signs_of_life_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 

@@ -112,9 +112,15 @@ class DeviceGroup final : public HapticDevice {
     [[nodiscard]] std::size_t holder() const noexcept {
         return shown_holder_.load(std::memory_order_relaxed);
     }
-    // Any thread: the number of reads in which a device other than the first, or a pedal, was used.
+    // Any thread: in how many reads so far somebody was seen to change something at a device besides the
+    // first, or at a pedal.
     [[nodiscard]] std::uint64_t signs_of_life() const noexcept {
         return signs_of_life_.load(std::memory_order_relaxed);
+    }
+    // Any thread: which devices do not come to rest, a bit each: those of the constructor's list, then the
+    // pedals.
+    [[nodiscard]] std::uint32_t restless() const noexcept {
+        return restless_.load(std::memory_order_relaxed);
     }
 
   private:
@@ -123,6 +129,7 @@ class DeviceGroup final : public HapticDevice {
     DeviceGroupOptions options_;
     std::atomic<std::size_t> shown_holder_{0};
     std::atomic<std::uint64_t> signs_of_life_{0};
+    std::atomic<std::uint32_t> restless_{0};
 
     // Only for the haptic thread.
     DeviceChooser chooser_;

@@ -1,8 +1,6 @@
-// The input of a device from the hand that holds it, at one instant. The program knows what tool the hand
-// has, and on what it works. mm.
+// What a device reads of the hand that holds it at one instant. What the hand works with, and on what, only
+// the program knows. mm.
 #pragma once
-
-#include <utility>
 
 #include "engine/math/math.h"
 
@@ -20,26 +18,6 @@ struct HandSample {
     bool presses = true;  // false: the finger hovers
 
     friend bool operator==(const HandSample&, const HandSample&) = default;
-};
-
-// Distinguishes a working hand from an idle one by distance and not by speed, so that slow work counts and
-// sensor noise does not.
-class MotionSense {
-  public:
-    explicit MotionSense(double noise_mm) : noise_mm_(noise_mm) {}
-
-    // Whether the hand has moved beyond the noise since the last position that counted as motion.
-    [[nodiscard]] bool moved_to(const dvec3& place_mm) noexcept {
-        const dvec3 way = place_mm - last_mm_;
-        const bool moved = glm::dot(way, way) > noise_mm_ * noise_mm_;
-        if (moved) last_mm_ = place_mm;
-        return moved && std::exchange(knows_a_place_, true);
-    }
-
-  private:
-    double noise_mm_;
-    dvec3 last_mm_{0.0};
-    bool knows_a_place_ = false;  // the first position does not count as motion
 };
 
 }  // namespace onggi::haptics

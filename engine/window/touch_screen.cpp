@@ -43,13 +43,16 @@ void LeadingFinger::follow(const Touch& touch, std::vector<Event>& events) {
 void LeadingFinger::begin(const Touch& touch, std::vector<Event>& events) {
     if (finger_) {
         constexpr std::uint32_t kRestMs = 3000;  // longer than a throwing finger stays still
-        if (touch.time_ms - still_.time_ms < kRestMs) return;
+        constexpr std::uint32_t kNeverLiftedMs = 300'000;
+        const bool rests = touch.time_ms - still_.time_ms >= kRestMs;
+        if (!rests && touch.time_ms - began_ms_ < kNeverLiftedMs) return;
         // Move the pointer away before the release, so that nothing is pressed there.
         events.push_back(PointerEvent{-1.0, -1.0});
         events.push_back(ButtonEvent{MouseButton::kLeft, false});
     }
     finger_ = touch.finger;
     still_ = touch;
+    began_ms_ = touch.time_ms;
     events.push_back(PointerEvent{touch.x_px, touch.y_px});
     events.push_back(ButtonEvent{MouseButton::kLeft, true});
 }

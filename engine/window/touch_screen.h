@@ -24,8 +24,9 @@ struct Touch {
 };
 
 // Selects the one finger that acts as the pointer. A second finger is ignored while the first one moves. If
-// the first lies still, such as a palm or a sleeve on the panel's edge, the next finger replaces it. A
-// replaced or ignored finger stays ignored until it is lifted. Any thread; no clock.
+// the first lies still, such as a palm or a sleeve on the panel's edge, or has not been lifted for minutes,
+// such as a wet spot, the next finger replaces it. A replaced or ignored finger stays ignored until it
+// is lifted. Any thread; no clock.
 class LeadingFinger {
   public:
     // Appends to `events` what a pointer with one button would have sent.
@@ -37,6 +38,7 @@ class LeadingFinger {
 
     std::optional<std::uint32_t> finger_;
     Touch still_{};  // its last position that counted as motion, and when
+    std::uint32_t began_ms_ = 0;
 };
 
 // Whether the window shows the pointer's arrow: only while a mouse moves. Ignores jumps, because a display

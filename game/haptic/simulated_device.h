@@ -14,6 +14,7 @@
 
 #include <cstdint>
 
+#include "engine/haptics/control_sense.h"
 #include "engine/jobs/mailbox.h"
 #include "game/haptic/tool_device.h"
 
@@ -69,7 +70,7 @@ class SimulatedDevice final : public ToolDevice {
     dvec3 velocity_mm_s_{0.0};
     dvec3 force_n_{0.0};
     bool at_rest_ = true;  // the next read starts at the target
-    haptics::MotionSense sense_{1.0};
+    haptics::ControlSense sense_{1.0};
     bool last_button_ = false;
     bool last_pressing_ = true;
     bool is_moving_ = false;

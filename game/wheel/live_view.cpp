@@ -17,6 +17,7 @@ struct LiveView::Impl {
     std::unique_ptr<WheelScene> scene;
     std::string workshop_lack;
     std::vector<window::Event> fed;
+    std::vector<window::Gamepad> fed_pads;
     bool close_requested = false;
     bool may_sway = false;
 
@@ -141,8 +142,14 @@ void LiveView::feed(const window::Event& event) {
     impl_->fed.push_back(event);
 }
 
+void LiveView::feed(std::vector<window::Gamepad> pads) {
+    impl_->fed_pads = std::move(pads);
+}
+
 std::vector<window::Gamepad> LiveView::gamepads() const {
-    return impl_->window->gamepads();
+    std::vector<window::Gamepad> pads = impl_->window->gamepads();
+    pads.insert(pads.end(), impl_->fed_pads.begin(), impl_->fed_pads.end());
+    return pads;
 }
 
 const std::string& LiveView::workshop_lack() const {

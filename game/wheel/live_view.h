@@ -52,7 +52,9 @@ class LiveView {
     [[nodiscard]] std::vector<window::Event> poll_events();
     // For headless tests: the next poll_events() returns this event.
     void feed(const window::Event& event);
-    // State of the window system's gamepads at the last poll; empty when headless.
+    // For headless tests: gamepads() returns these from now on.
+    void feed(std::vector<window::Gamepad> pads);
+    // State of the window system's gamepads at the last poll; when headless, those from feed().
     [[nodiscard]] std::vector<window::Gamepad> gamepads() const;
     [[nodiscard]] bool close_requested() const;
     // The reason why a small still life is shown instead of the room; empty if the room is shown.

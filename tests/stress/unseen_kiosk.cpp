@@ -188,6 +188,10 @@ void UnseenKiosk::does(const window::Event& event) {
     parts_->view->feed(event);
 }
 
+void UnseenKiosk::plug_in(std::vector<window::Gamepad> pads) {
+    parts_->view->feed(std::move(pads));
+}
+
 void UnseenKiosk::point(double x_px, double y_px) {
     parts_->view->feed(window::PointerEvent{x_px, y_px});
 }

@@ -14,6 +14,7 @@
 #include "engine/asset/image.h"
 #include "engine/math/math.h"
 #include "engine/window/events.h"
+#include "engine/window/gamepad.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
 #include "game/clay/studio/studio_clay.h"
@@ -79,6 +80,8 @@ class UnseenKiosk {
     bool until(const std::function<bool()>& condition, double dt_s = 1.0 / 60.0);
 
     void does(const window::Event& event);
+    // The gamepads that are plugged in from now on.
+    void plug_in(std::vector<window::Gamepad> pads);
     void point(double x_px, double y_px);
     void hold(bool pressed);
     void press_key(window::Key which);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "engine/haptics/control_sense.h"
 #include "engine/haptics/haply/inverse_session.h"
 #include "engine/haptics/haptic_device.h"
 #include "engine/jobs/io_thread.h"
@@ -50,6 +51,7 @@ class InverseDevice final : public HapticDevice {
     void silence() noexcept override { link_.silences.fetch_add(1, std::memory_order_relaxed); }
     [[nodiscard]] bool is_here() const noexcept override { return is_here_; }
     [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
+    [[nodiscard]] bool never_rests() const noexcept override { return sense_.never_rests(); }
     void take_over(const dvec3& position_mm) noexcept override;
 
     // Main thread, any time.
@@ -69,7 +71,7 @@ class InverseDevice final : public HapticDevice {
     bool is_new_ = false;  // a message came since the previous read
     bool is_here_ = false;
     bool is_moving_ = false;
-    MotionSense sense_;
+    ControlSense sense_;
     std::uint64_t ticks_ = 0;
 };
 

@@ -36,6 +36,7 @@ struct DeviceInput {
     };
     Motion motion = Motion::kNone;
     dvec2 rate_mm_s{0.0};  // radius, height
+    dvec2 push{0.0};       // the push that asks for that rate, of the travel beyond the dead band, -1 to 1
     dvec2 place_mm{0.0};   // radius, height
     // In addition to both: the distance by which the hand has pushed the tool since plugging in. The reader
     // uses the change of this sum, so that no report is lost.

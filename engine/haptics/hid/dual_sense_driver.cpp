@@ -26,13 +26,13 @@ constexpr std::uint8_t kMostRumble = 0x60;
 constexpr std::uint8_t kRumbleStep = 0x08;  // a finer step would need a report every tick
 constexpr std::uint8_t kPedalDown = 0x40;   // L2, of 255
 
+// -1 to 1: zero within the dead band, then even, as the thumb pushes.
 double from_stick(std::uint8_t value, double dead_band) noexcept {
     const double deflection = std::clamp((static_cast<double>(value) - 128.0) / 127.0, -1.0, 1.0);
     const double size = std::abs(deflection);
     if (size <= dead_band) return 0.0;
     const double beyond = (size - dead_band) / (1.0 - dead_band);
-    const double shaped = beyond * beyond * beyond;
-    return deflection < 0.0 ? -shaped : shaped;
+    return deflection < 0.0 ? -beyond : beyond;
 }
 
 }  // namespace
@@ -149,9 +149,9 @@ DeviceInput DualSenseDriver::input(std::int64_t now_ns) const noexcept {
     DeviceInput input{.motion = DeviceInput::Motion::kRate};
     input.is_live = was_heard_ && now_ns - heard_ns_ <= kSilenceNs;
     input.is_fresh = was_heard_ && heard_ns_ == now_ns;
-    input.rate_mm_s =
-        mapping_.fastest_mm_s * dvec2(from_stick(state_.left_stick[0], mapping_.stick_dead_band),
-                                      -from_stick(state_.left_stick[1], mapping_.stick_dead_band));
+    input.push = {from_stick(state_.left_stick[0], mapping_.stick_dead_band),
+                  -from_stick(state_.left_stick[1], mapping_.stick_dead_band)};
+    input.rate_mm_s = mapping_.fastest_mm_s * (input.push * input.push * input.push);
     input.travelled_mm = travelled_mm_;
     input.press_mm = press_mm();
     if (state_.left_trigger >= kPedalDown)

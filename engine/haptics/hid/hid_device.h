@@ -57,6 +57,8 @@ class HidDevice final : public HapticDevice {
 
     [[nodiscard]] bool is_here() const noexcept override { return tracker_.input_is_live(); }
     [[nodiscard]] bool is_moving() const noexcept override { return tracker_.hand_moves(); }
+    [[nodiscard]] bool lives() const noexcept override { return tracker_.hand_lives(); }
+    [[nodiscard]] bool never_rests() const noexcept override { return tracker_.never_rests(); }
     void take_over(const dvec3& position_mm) noexcept override { tracker_.put_at(position_mm); }
 
     // Main thread, any time.

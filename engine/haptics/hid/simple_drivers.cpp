@@ -56,12 +56,16 @@ Report space_mouse_lamp(bool on) noexcept {
     return report;
 }
 
-double shaped_axis(std::int16_t value, const SpaceMouseMapping& mapping) noexcept {
+double pushed_axis(std::int16_t value, const SpaceMouseMapping& mapping) noexcept {
     const double size = std::min(std::abs(static_cast<double>(value)), mapping.full_scale);
     if (size <= mapping.dead_band) return 0.0;
     const double beyond = (size - mapping.dead_band) / (mapping.full_scale - mapping.dead_band);
-    const double shaped = beyond * beyond * beyond;
-    return value < 0 ? -shaped : shaped;
+    return value < 0 ? -beyond : beyond;
+}
+
+double shaped_axis(std::int16_t value, const SpaceMouseMapping& mapping) noexcept {
+    const double pushed = pushed_axis(value, mapping);
+    return pushed * pushed * pushed;
 }
 
 dvec2 space_mouse_rate_mm_s(const SpaceMouseState& state, const SpaceMouseMapping& mapping) noexcept {
@@ -101,6 +105,8 @@ DeviceInput SpaceMouseDriver::input(std::int64_t now_ns) const noexcept {
     input.is_live = state_.at_rest() || now_ns - heard_ns_ <= kSpaceMouseSilenceNs;
     input.is_fresh = state_.at_rest() || heard_ns_ == now_ns;
     input.rate_mm_s = space_mouse_rate_mm_s(state_, mapping_);
+    input.push = {pushed_axis(state_.translation[0], mapping_),
+                  -pushed_axis(state_.translation[2], mapping_)};
     input.button = wheel_turns_;
     // A twist to the right is positive about the axis that points down, and speeds the wheel up.
     input.change_rev_min_s = mapping_.fastest_change_rev_min_s * shaped_axis(state_.rotation[2], mapping_);

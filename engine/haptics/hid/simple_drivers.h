@@ -66,7 +66,9 @@ struct SpaceMouseMapping {
     double fastest_change_rev_min_s = 80.0;  // of the wheel, at full twist
 };
 
-// Maps an axis to -1 to 1: zero within the dead band, then cubic, so that a light push moves finely.
+// Maps an axis to -1 to 1: zero within the dead band, then even, as the hand pushes.
+[[nodiscard]] double pushed_axis(std::int16_t value, const SpaceMouseMapping& mapping) noexcept;
+// The same, cubic, so that a light push moves finely.
 [[nodiscard]] double shaped_axis(std::int16_t value, const SpaceMouseMapping& mapping) noexcept;
 // Radius and height, mm/s: X right is outwards, Z down is down.
 [[nodiscard]] dvec2 space_mouse_rate_mm_s(const SpaceMouseState& state,

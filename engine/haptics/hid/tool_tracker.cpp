@@ -25,18 +25,27 @@ HandSample ToolTracker::moved(const DeviceInput& input, double dt_s) noexcept {
         rev_min_ = std::clamp(input.rev_min > 0.0 ? input.rev_min : rev_min_ + input.change_rev_min_s * dt_s,
                               kSlowestRevMin, kFastestRevMin);
     }
-    const bool has_travelled = input.travelled_mm != travelled_mm_;
-    travelled_mm_ =
-        input.travelled_mm;  // travel while the input was not live is dropped, which avoids a jump
-    // The hand's own motion, independent of the tool: a stick's position, a trigger's press, a push.
-    const bool pushes = input.motion == DeviceInput::Motion::kRate && input.rate_mm_s != dvec2(0.0);
-    const bool has_moved = sense_.moved_to({input.place_mm.x, input.place_mm.y, input.press_mm});
-    hand_moves_ = pushes || has_moved || has_travelled || input.buttons != last_buttons_;
-    last_buttons_ = input.buttons;
+    travelled_mm_ = input.travelled_mm;  // what came while it was not live is lost, and does not make a jump
+    if (is_live_) watch(input, dt_s);
 
     const dvec2 tool_mm = reach_.within({place_mm_.x - press_mm_, place_mm_.y});
     return {
         .position_mm = {tool_mm.x, tool_mm.y, 0.0}, .button = is_live_ && input.button, .rev_min = rev_min_};
+}
+
+// What the hand says of itself, wherever the tool is: a stick's place, a trigger's press, a push.
+void ToolTracker::watch(const DeviceInput& input, double dt_s) noexcept {
+    const bool pushes = input.motion == DeviceInput::Motion::kRate && input.rate_mm_s != dvec2(0.0);
+    // A joystick's button may be a switch, which is left on; a pedal has none.
+    const bool foot_is_down = input.motion == DeviceInput::Motion::kNone && input.buttons != 0;
+    const bool is_pushed = push_.moved_to({input.push.x, input.push.y, 0.0}, dt_s, pushes);
+    const bool is_held =
+        hold_.moved_to({input.place_mm.x, input.place_mm.y, input.press_mm}, dt_s, input.press_mm > kNoiseMm);
+    const bool travels = travel_.moved_to({input.travelled_mm.x, input.travelled_mm.y, 0.0}, dt_s);
+    const bool presses =
+        buttons_.moved_to({static_cast<double>(input.buttons), 0.0, 0.0}, dt_s, foot_is_down);
+    hand_lives_ = is_pushed || is_held || travels || presses;
+    hand_moves_ = hand_lives_ || (pushes && push_.still_s() < kControlRestsS);
 }
 
 }  // namespace onggi::haptics::hid

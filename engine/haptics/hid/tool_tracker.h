@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "engine/haptics/control_sense.h"
 #include "engine/haptics/hand_sample.h"
 #include "engine/haptics/haptic_device.h"
 #include "engine/haptics/hid/device_input.h"
@@ -23,14 +24,23 @@ class ToolTracker {
     // Whether the device refreshed the position between the last two calls of moved(); the heartbeat alone
     // only shows that the I/O thread runs.
     [[nodiscard]] bool was_refreshed() const noexcept { return was_refreshed_; }
-    // Whether the hand moved or pressed a button in the last moved().
+    // About the last moved(): the person does something, a press of a button included, or a push that is held
+    // still, until it is at rest.
     [[nodiscard]] bool hand_moves() const noexcept { return is_live_ && hand_moves_; }
-    // Another hand has moved the tool here; rate control continues from there.
+    // About the last moved(): the person has changed something.
+    [[nodiscard]] bool hand_lives() const noexcept { return is_live_ && hand_lives_; }
+    [[nodiscard]] bool never_rests() const noexcept {
+        return is_live_ && (push_.never_rests() || hold_.never_rests() || travel_.never_rests() ||
+                            buttons_.never_rests());
+    }
+    // The tool was brought here; a hand that says how fast goes on from there.
     void put_at(const dvec3& position_mm) noexcept {
         place_mm_ = reach_.within({position_mm.x + press_mm_, position_mm.y});
     }
 
   private:
+    void watch(const DeviceInput& input, double dt_s) noexcept;
+
     // Rounds of the I/O thread are some ms apart, writes included.
     static constexpr double kSilenceS = 0.05;
     // When a stick is plugged in while deflected, the tool moves to its position at this speed instead of
@@ -42,6 +52,7 @@ class ToolTracker {
     static constexpr double kFastestRevMin = 240.0;
     // More than the noise of a held stick or of a trigger at rest.
     static constexpr double kNoiseMm = 1.5;
+    static constexpr double kPushNoise = 0.05;  // the same of a stick that says how fast, of its travel
 
     ToolReach reach_;
     dvec2 place_mm_;  // radius, height, without the press
@@ -53,9 +64,12 @@ class ToolTracker {
     bool was_refreshed_ = false;
     double silence_s_ = 0.0;
     bool is_live_ = false;
-    MotionSense sense_{kNoiseMm};
-    std::uint32_t last_buttons_ = 0;
+    ControlSense push_{kPushNoise};
+    ControlSense hold_{kNoiseMm};  // of the tool, and of the trigger that presses it
+    ControlSense travel_{kNoiseMm};
+    ControlSense buttons_{0.5};  // their bits as a number
     bool hand_moves_ = false;
+    bool hand_lives_ = false;
 };
 
 }  // namespace onggi::haptics::hid

@@ -173,6 +173,18 @@ bool AttachedDevices::somebody_moved() {
     return std::exchange(signs_of_life_, now) != now;
 }
 
+std::vector<std::string> AttachedDevices::restless() const {
+    std::vector<std::string> names;
+    std::uint32_t bits = watched_group_->restless();
+    for (const std::vector<Watched>* list : {&tools_, &pedals_}) {
+        for (const Watched& watched : *list) {
+            bits >>= 1U;  // the first device's is the lowest
+            if ((bits & 1U) != 0) names.push_back(watched.name_of(watched.last));
+        }
+    }
+    return names;
+}
+
 bool AttachedDevices::has_device() const {
     return std::any_of(tools_.begin(), tools_.end(),
                        [](const Watched& watched) { return watched.last.state == State::kReady; });

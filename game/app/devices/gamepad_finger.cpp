@@ -12,16 +12,53 @@ using window::Gamepad;
 constexpr float kTriggerPulled = 0.1F;
 constexpr std::uint32_t kRingButtons = Gamepad::kLeft | Gamepad::kRight | Gamepad::kX;
 
-// The cube of the stick's deflection beyond its dead band, for fine control with a light push. The band is
-// radial, so that it has no corners.
-dvec2 shaped(dvec2 stick, double dead_band) {
+// The stick's deflection beyond its dead band, which is round, so that it has no corners.
+dvec2 beyond_band(dvec2 stick, double dead_band) {
     const double length = std::sqrt(glm::dot(stick, stick));
     if (!(length > dead_band)) return dvec2(0.0);
-    const double beyond = std::min((length - dead_band) / (1.0 - dead_band), 1.0);
-    return stick * (beyond * beyond * beyond / length);
+    return stick * (std::min((length - dead_band) / (1.0 - dead_band), 1.0) / length);
+}
+
+// By the third power: a light push moves finely.
+dvec2 shaped(dvec2 beyond) {
+    return beyond * glm::dot(beyond, beyond);
 }
 
 }  // namespace
+
+GamepadFinger::Lives GamepadFinger::watch(const Gamepad& pad, double dt_s) {
+    const haptics::ControlSense sense(mapping_.noise);
+    auto [place, is_new] = watched_.try_emplace(
+        pad.slot, Watched{pad.name, true, sense, sense, sense, haptics::ControlSense(0.5)});
+    Watched& watched = place->second;
+    watched.name = pad.name;
+    watched.is_here = true;
+    // A pad is plugged in at rest: what is pressed then has been pressed.
+    if (is_new) {
+        for (haptics::ControlSense* each :
+             {&watched.left, &watched.right, &watched.trigger, &watched.buttons})
+            static_cast<void>(each->moved_to(dvec3(0.0), 0.0));
+    }
+    const auto is_moved = [&](haptics::ControlSense& control, const dvec2& value) {
+        return control.moved_to(dvec3(value, 0.0), dt_s, value != dvec2(0.0));
+    };
+    const bool left = is_moved(watched.left, beyond_band({pad.left_x, -pad.left_y}, mapping_.dead_band));
+    const bool right = is_moved(watched.right, beyond_band({pad.right_x, -pad.right_y}, mapping_.dead_band));
+    const float pulled = pad.right_trigger > kTriggerPulled ? pad.right_trigger : 0.0F;
+    return {.sticks = left || right,
+            .trigger = is_moved(watched.trigger, {pulled, 0.0}),
+            .buttons = is_moved(watched.buttons, {static_cast<double>(pad.buttons), 0.0})};
+}
+
+std::vector<std::string> GamepadFinger::restless() const {
+    std::vector<std::string> names;
+    for (const auto& [slot, pad] : watched_) {
+        if (pad.is_here && (pad.left.never_rests() || pad.right.never_rests() || pad.trigger.never_rests() ||
+                            pad.buttons.never_rests()))
+            names.push_back(pad.name);
+    }
+    return names;
+}
 
 bool GamepadFinger::presses(bool button, double trigger, bool is_moving, double dt_s) {
     trigger_presses_ = trigger > (trigger_presses_ ? mapping_.released_at : mapping_.pressed_at);
@@ -38,21 +75,31 @@ GamepadRequest GamepadFinger::request(std::span<const Gamepad> pads, double dt_s
     std::uint32_t buttons = 0;
     dvec2 push(0.0);
     float trigger = 0.0F;
+    Lives lives;
+    for (auto& [slot, watched] : watched_)
+        watched.is_here = false;
     for (const Gamepad& pad : pads) {
-        push += shaped({pad.left_x, -pad.left_y}, mapping_.dead_band);
-        push += mapping_.finer * shaped({pad.right_x, -pad.right_y}, mapping_.dead_band);
+        const Lives now = watch(pad, dt_s);
+        lives = {lives.sticks || now.sticks, lives.trigger || now.trigger, lives.buttons || now.buttons};
+        // A stick that rests away from the middle is worn, and pushes nothing.
+        const Watched& watched = watched_.at(pad.slot);
+        if (watched.left.still_s() < mapping_.longest_still_s)
+            push += shaped(beyond_band({pad.left_x, -pad.left_y}, mapping_.dead_band));
+        if (watched.right.still_s() < mapping_.longest_still_s)
+            push += mapping_.finer * shaped(beyond_band({pad.right_x, -pad.right_y}, mapping_.dead_band));
         trigger = std::max(trigger, pad.right_trigger);
         buttons |= pad.buttons;
     }
-    const std::uint32_t pressed = buttons & ~last_buttons_;
-    const std::uint32_t changed = buttons ^ last_buttons_;
-    const bool moves = push != dvec2(0.0) || trigger > kTriggerPulled;
+    // Contacts that chatter press nothing.
+    const std::uint32_t changed = lives.buttons ? buttons ^ last_buttons_ : 0U;
+    const std::uint32_t pressed = buttons & changed;
+    const bool moves = lives.sticks || lives.trigger;
     request.is_used = moves || changed != 0;
     request.is_for_clay = moves || (changed & ~kRingButtons) != 0;
     last_buttons_ = buttons;
 
     request.step_mm = glm::clamp(push, -1.0, 1.0) * (mapping_.fastest_mm_s * dt_s);
-    request.presses = presses((buttons & Gamepad::kA) != 0, double{trigger}, push != dvec2(0.0), dt_s);
+    request.presses = presses((buttons & Gamepad::kA) != 0, double{trigger}, lives.sticks, dt_s);
     if ((pressed & Gamepad::kRightBumper) != 0) request.speed_steps += 1.0;
     if ((pressed & Gamepad::kLeftBumper) != 0) request.speed_steps -= 1.0;
     if ((pressed & Gamepad::kUp) != 0) request.radius_steps += 1.0;

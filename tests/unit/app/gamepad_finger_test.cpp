@@ -107,6 +107,83 @@ TEST_F(AGamepad, AsksOncePerPressOfAButton) {
     EXPECT_EQ(asks().speed_steps, -1.0);
 }
 
+// The value before this test's rule: a sign of life in every frame, for ever.
+TEST_F(AGamepad, IsUsedWhileItChangesOnly) {
+    pad.left_x = 1.0F;
+    EXPECT_TRUE(asks().is_used);
+    for (int frame = 0; frame < 500; ++frame) {
+        const GamepadRequest held = asks(0.1);
+        EXPECT_FALSE(held.is_used);
+        EXPECT_FALSE(held.is_for_clay);
+        EXPECT_NEAR(held.step_mm.x, 16.0, 1e-9) << "a thumb that is held still moves the finger on";
+    }
+    for (int frame = 0; frame < 100; ++frame)
+        static_cast<void>(asks(0.1));
+    EXPECT_EQ(asks().step_mm, dvec2(0.0)) << "a minute later nobody is there";
+    pad.left_x = 0.8F;
+    EXPECT_TRUE(asks().is_used);
+    EXPECT_GT(asks().step_mm.x, 0.0);
+}
+
+TEST_F(AGamepad, IsNobodyWhereItsSticksLeanAndItsTriggerTrembles) {
+    const auto signs_in_an_hour = [&] {
+        int signs = 0;
+        for (int frame = 0; frame < 36'000; ++frame) {
+            pad.left_x = 0.16F + 0.01F * static_cast<float>(frame % 3);
+            pad.right_trigger = 0.05F + 0.04F * static_cast<float>(frame % 2);
+            const GamepadRequest request = asks(0.1);
+            signs += request.is_used || request.is_for_clay ? 1 : 0;
+        }
+        return signs;
+    };
+    EXPECT_EQ(signs_in_an_hour(), 0);
+    pad.left_x = -0.5F;
+    EXPECT_TRUE(asks().is_used) << "a person";
+}
+
+TEST_F(AGamepad, NamesWhatDoesNotComeToRest) {
+    pad.name = "a worn pad";
+    const auto passes_minutes = [&](int minutes) {
+        for (int second = 0; second < 60 * minutes; ++second)
+            static_cast<void>(asks(1.0));
+    };
+    passes_minutes(11);
+    EXPECT_TRUE(hand.restless().empty());
+    for (const Gamepad& worn :
+         {Gamepad{.right_y = 0.3F}, Gamepad{.right_trigger = 0.4F}, Gamepad{.buttons = Gamepad::kStart}}) {
+        pad = worn;
+        pad.name = "a worn pad";
+        passes_minutes(9);
+        EXPECT_TRUE(hand.restless().empty());
+        passes_minutes(2);
+        EXPECT_EQ(hand.restless(), std::vector<std::string>{"a worn pad"});
+        pad = {.name = "a worn pad"};
+        static_cast<void>(asks());
+        EXPECT_TRUE(hand.restless().empty()) << "it was let go";
+    }
+}
+
+TEST_F(AGamepad, WhoseContactsChatterPressesNothingAfterTenMinutesButByItsOtherButtons) {
+    int presses = 0;
+    const auto chatters = [&](int frames) {
+        presses = 0;
+        for (int frame = 0; frame < frames; ++frame) {
+            pad.buttons = frame % 2 == 0 ? Gamepad::kRightBumper : 0U;
+            const GamepadRequest request = asks(0.1);
+            presses += request.speed_steps != 0.0 || request.is_used ? 1 : 0;
+        }
+    };
+    chatters(6100);
+    EXPECT_GT(presses, 5000);
+    chatters(6000);
+    EXPECT_EQ(presses, 0);
+    EXPECT_EQ(hand.restless().size(), 1U);
+    pad.buttons = Gamepad::kUp;
+    EXPECT_EQ(asks().radius_steps, 1.0);
+    EXPECT_EQ(hand.request({}, kFrame).radius_steps, 0.0);
+    EXPECT_TRUE(hand.restless().empty()) << "it was pulled out";
+}
+
 TEST_F(AGamepad, WalksToEachButtonOfTheScreenAndPressesIt) {
     screens::Composition composition;
     for (const kiosk::Button button : {kiosk::Button::kUndo, kiosk::Button::kDone})

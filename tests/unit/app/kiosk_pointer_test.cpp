@@ -58,6 +58,11 @@ class Finger {
         }
         return buttons;
     }
+    // How much of that was a sign of life.
+    [[nodiscard]] int signs_of(Kind kind) const {
+        return static_cast<int>(std::count_if(
+            news.begin(), news.end(), [&](const PointerNews& one) { return one.kind == kind && one.lives; }));
+    }
     [[nodiscard]] bool said(Kind kind) const {
         return std::any_of(news.begin(), news.end(),
                            [&](const PointerNews& one) { return one.kind == kind; });
@@ -227,6 +232,133 @@ TEST_F(TouchThatGoesWrong, EndsWhereItsReleaseWasLost) {
     EXPECT_TRUE(finger_.said(Kind::kFingerDown)) << "and another begins";
     finger_.lifts();
     EXPECT_FALSE(finger_.pointer.rests_on_scene());
+}
+
+TEST_F(TouchThatGoesWrong, IsNoSignOfLifeWhileItTrembles) {
+    for (int turn = 0; turn < 100; ++turn)
+        finger_.moves(600 + 3 * (turn % 2), 300).waits(0.1);
+    EXPECT_EQ(finger_.signs_of(Kind::kFingerMoved), 0) << "each move was one";
+    EXPECT_TRUE(finger_.said(Kind::kFingerMoved)) << "the clay follows it";
+    finger_.moves(610, 300);
+    EXPECT_EQ(finger_.signs_of(Kind::kFingerMoved), 1);
+}
+
+TEST_F(TouchThatGoesWrong, EndsWhereItNeverComesToRest) {
+    const auto wanders = [&](int turns) {
+        for (int turn = 0; turn < turns; ++turn)
+            finger_.moves(600 + 9 * (turn % 2), 300).waits(1.0);
+    };
+    wanders(590);
+    EXPECT_FALSE(ended());
+    wanders(80);
+    EXPECT_TRUE(ended()) << "a drop of water";
+    EXPECT_EQ(finger_.pointer.restless(), std::vector<std::string>{"touch screen or mouse button"});
+    stays_ended();
+    finger_.lifts().waits(61.0);
+    EXPECT_TRUE(finger_.pointer.restless().empty()) << "it was wiped off";
+}
+
+TEST_F(KioskPointer, TakesASpotThatPressesItselfForWornAndPressesBesideItNot) {
+    int pressed = 0;
+    for (int second = 0; second < 700; second += 2) {
+        finger.news.clear();
+        finger.moves(150, 630).presses().waits(0.2).lifts().waits(1.8);
+        pressed += static_cast<int>(finger.pressed().size());
+    }
+    EXPECT_NEAR(pressed, 300, 6) << "it went on for ever";
+    EXPECT_EQ(finger.pointer.restless().size(), 1U);
+    finger.news.clear();
+    finger.moves(550, 630).presses().lifts();
+    EXPECT_EQ(finger.pressed(), std::vector<Button>{Button::kGlaze});
+}
+
+TEST_F(KioskPointer, TakesManyPeopleForNoWornSpot) {
+    for (int second = 0; second < 1500; second += 2) {
+        finger.news.clear();
+        finger.moves(second % 4 == 0 ? 150 : 550, 630).presses().lifts().waits(2.0);
+        EXPECT_EQ(finger.pressed().size(), 1U) << second;
+    }
+}
+
+TEST_F(KioskPointer, RepeatsWhatIsHeldForAMinute) {
+    finger.moves(320, 630).presses().waits(59.0);
+    const std::size_t before = finger.pressed().size();
+    EXPECT_GT(before, 200U);
+    finger.waits(2.0);
+    const std::size_t after = finger.pressed().size();
+    finger.waits(600.0);
+    EXPECT_EQ(finger.pressed().size(), after);
+    EXPECT_EQ(finger.pointer.restless(), std::vector<std::string>{"touch screen or mouse button"});
+    finger.lifts().waits(0.1);
+    EXPECT_TRUE(finger.pointer.restless().empty());
+}
+
+TEST_F(KioskPointer, TakesARepeatingKeyForNoSignOfLifeAndEndsItAfterAMinute) {
+    finger.types(window::Key::kUp);
+    EXPECT_EQ(finger.signs_of(Kind::kLife), 1);
+    EXPECT_EQ(finger.signs_of(Kind::kNudged), 1);
+    const auto repeats = [&](double seconds) {
+        finger.news.clear();
+        for (double since_s = 0.0; since_s < seconds; since_s += 0.5)
+            finger.does(window::KeyEvent{window::Key::kUp, true, true}).waits(0.5);
+    };
+    repeats(59.0);
+    EXPECT_EQ(finger.signs_of(Kind::kLife) + finger.signs_of(Kind::kNudged), 0) << "each repeat was one";
+    EXPECT_TRUE(finger.said(Kind::kNudged)) << "the hand moves on";
+    repeats(2.0);
+    repeats(450.0);
+    EXPECT_TRUE(finger.news.empty());
+    EXPECT_TRUE(finger.pointer.restless().empty());
+    repeats(150.0);
+    EXPECT_EQ(finger.pointer.restless(), std::vector<std::string>{"keyboard"});
+    finger.does(window::KeyEvent{window::Key::kUp, false, false});
+    EXPECT_TRUE(finger.pointer.restless().empty());
+    finger.types(window::Key::kUp);
+    EXPECT_EQ(finger.signs_of(Kind::kNudged), 1);
+}
+
+TEST_F(KioskPointer, TakesOneSwitchForAPersonHoweverLongItIsUsed) {
+    for (int press = 0; press < 900; ++press) {
+        finger.news.clear();
+        finger.types(window::Key::kSpace)
+            .does(window::KeyEvent{window::Key::kSpace, false, false})
+            .waits(2.0);
+        EXPECT_EQ(finger.pressed().empty(), press == 0);
+    }
+    EXPECT_TRUE(finger.pointer.restless().empty());
+}
+
+TEST_F(KioskPointer, TakesAMouseThatWandersForNobodyAfterTenMinutes) {
+    const auto wanders = [&](int turns) {
+        finger.news.clear();
+        for (int turn = 0; turn < turns; ++turn)
+            finger.moves(640 + 40 * (turn % 2), 360).waits(1.0);
+    };
+    wanders(590);
+    EXPECT_GT(finger.signs_of(Kind::kLife), 500);
+    wanders(20);
+    wanders(900);
+    EXPECT_EQ(finger.signs_of(Kind::kLife), 0) << "it was somebody for ever";
+    EXPECT_EQ(finger.pointer.restless(), std::vector<std::string>{"mouse"});
+    finger.moves(900, 360).waits(0.1).moves(1000, 200).waits(0.2);
+    EXPECT_TRUE(finger.said(Kind::kLife)) << "a hand";
+    finger.waits(61.0);
+    EXPECT_TRUE(finger.pointer.restless().empty());
+}
+
+TEST_F(KioskPointer, TakesAWheelThatNeverStopsForNobodyAfterTenMinutes) {
+    const auto turns = [&](int times) {
+        finger.news.clear();
+        for (int turn = 0; turn < times; ++turn)
+            finger.does(window::ScrollEvent{1.0}).waits(1.0);
+        return finger.signs_of(Kind::kLife);
+    };
+    EXPECT_EQ(turns(590), 590);
+    turns(20);
+    EXPECT_EQ(turns(600), 0);
+    EXPECT_EQ(finger.pointer.restless(), std::vector<std::string>{"mouse wheel"});
+    finger.waits(61.0);
+    EXPECT_EQ(turns(1), 1);
 }
 
 TEST_F(KioskPointer, IgnoresAShakenMouse) {

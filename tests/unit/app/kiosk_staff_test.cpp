@@ -145,6 +145,8 @@ TEST(StaffLines, ListEachDeviceWithItsAbilityOrRefusal) {
     EXPECT_EQ(line(health, "SpaceMouse Compact", StaffPage::kDevices).status, "ok");
     EXPECT_EQ(line(health, "DualSense", StaffPage::kDevices).value, "no permission");
     EXPECT_EQ(line(health, "DualSense", StaffPage::kDevices).status, "warn");
+    health.restless = {"a worn pad"};
+    EXPECT_EQ(line(health, "a worn pad", StaffPage::kDevices).status, "warn");
 }
 
 TEST(ForceTestWords, DescribeTheHandsResponse) {

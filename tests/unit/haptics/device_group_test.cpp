@@ -17,6 +17,8 @@ struct Puppet {
     DeviceCapabilities can{.name = "puppet"};
     bool is_here = true;
     bool is_moving = false;
+    std::optional<bool> lives = std::nullopt;  // none: while it moves
+    bool never_rests = false;
     bool fails_to_open = false;
     int opened = 0;
     int closed = 0;
@@ -40,6 +42,8 @@ class PuppetDevice final : public HapticDevice {
     void feel(const WorkFelt& work) noexcept override { puppet_.felt = work; }
     [[nodiscard]] bool is_here() const noexcept override { return puppet_.is_here; }
     [[nodiscard]] bool is_moving() const noexcept override { return puppet_.is_moving; }
+    [[nodiscard]] bool lives() const noexcept override { return puppet_.lives.value_or(puppet_.is_moving); }
+    [[nodiscard]] bool never_rests() const noexcept override { return puppet_.never_rests; }
     void take_over(const dvec3& position_mm) noexcept override { puppet_.took_over_mm = position_mm; }
 
   private:
@@ -100,6 +104,31 @@ TEST_F(DeviceGroupTest, CountsSignsOfLifeOfEveryHandButTheFirst) {
     stick_.is_here = false;
     after(0.01);
     EXPECT_EQ(group_->signs_of_life(), 10U);
+}
+
+TEST_F(DeviceGroupTest, TellsAHandThatHoldsAStickStillFromASignOfLife) {
+    group_->add_pedal(std::make_unique<PuppetDevice>(pedal_));
+    stick_.is_moving = true;
+    stick_.lives = false;
+    pedal_.sample.button = true;
+    after(0.6);
+    EXPECT_EQ(group_->holder(), 2U);
+    EXPECT_EQ(group_->signs_of_life(), 0U) << "nor does a pedal that is down give one";
+    pedal_.lives = true;
+    after(0.01);
+    EXPECT_EQ(group_->signs_of_life(), 10U) << "it is pressed";
+}
+
+TEST_F(DeviceGroupTest, SaysWhichDevicesDoNotRest) {
+    group_->add_pedal(std::make_unique<PuppetDevice>(pedal_));
+    after(kStep);
+    EXPECT_EQ(group_->restless(), 0U);
+    mouse_.never_rests = pad_.never_rests = stick_.never_rests = pedal_.never_rests = true;
+    after(kStep);
+    EXPECT_EQ(group_->restless(), 0b1100U) << "the window tells of the mouse, and the pad is not here";
+    stick_.never_rests = false;
+    after(kStep);
+    EXPECT_EQ(group_->restless(), 0b1000U);
 }
 
 TEST_F(DeviceGroupTest, TheFirstHasTheToolUntilAnotherMoves) {
@@ -372,17 +401,6 @@ TEST_F(RecordedDeviceGroupTest, ARecordingYieldsAtOnceAndGoesOnWhenThePersonHasL
     EXPECT_EQ(group_->holder(), 2U);
     after(0.2);
     EXPECT_EQ(group_->holder(), 0U);
-}
-
-TEST(MotionSense, TellsSlowWorkFromATremble) {
-    MotionSense sense(1.0);
-    EXPECT_FALSE(sense.moved_to({500.0, 0.0, 0.0})) << "the first place is no motion";
-    for (int turn = 0; turn < 100; ++turn)
-        EXPECT_FALSE(sense.moved_to({500.0 + 0.9 * (turn % 2), 0.0, 0.0}));
-    int moves = 0;
-    for (int step = 0; step < 1000; ++step)
-        moves += sense.moved_to({500.0 + 0.01 * step, 0.0, 0.0}) ? 1 : 0;
-    EXPECT_EQ(moves, 9) << "10 mm in ten seconds";
 }
 
 }  // namespace

@@ -72,6 +72,22 @@ TEST_F(AScreen, LetsANewFingerReplaceOneThatLiesStill) {
     EXPECT_EQ(seen(), "at 310,500 down");
 }
 
+TEST_F(AScreen, LetsANewFingerReplaceOneThatIsNeverLifted) {
+    touch(Phase::kBegin, 1, 300, 500, 1000);
+    std::uint32_t time_ms = 1000;
+    const auto wanders_until = [&](std::uint32_t end_ms) {
+        for (; time_ms < end_ms; time_ms += 500)
+            touch(Phase::kMove, 1, 300.0 + 40.0 * (time_ms / 500 % 2), 500, time_ms);
+        static_cast<void>(seen());
+    };
+    wanders_until(300'000);
+    touch(Phase::kBegin, 2, 600, 300, 300'000);
+    EXPECT_EQ(seen(), "");
+    wanders_until(301'000);
+    touch(Phase::kBegin, 3, 600, 300, 301'000);
+    EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down") << "a drop of water kept everybody out";
+}
+
 TEST_F(AScreen, WaitsBeforeItTakesAFingerForAHandThatLies) {
     touch(Phase::kBegin, 1, 640, 300, std::numeric_limits<std::uint32_t>::max() - 500);
     static_cast<void>(seen());

@@ -19,11 +19,43 @@ constexpr double kRepeatEveryS = 0.25;
 constexpr double kCornerS = 5.0;
 constexpr float kCornerU = 80.0F;
 constexpr double kScanEveryS = 1.4;
-// A touch that does not move for longer is a fault of the touch screen.
-constexpr double kLongestStillS = 60.0;
+// A touch that does not move for longer is a fault of the touch screen, and a key or a press that repeats for
+// longer lies under an object.
+constexpr double kLongestStillS = haptics::kControlRestsS;
 constexpr float kFingerStillPx = 4.0F;
 
+dvec3 place(vec2 px) {
+    return {px.x, px.y, 0.0};
+}
+
 }  // namespace
+
+// A worn spot of a touch screen presses itself, in the same place; visitors press here and there.
+KioskPointer::KioskPointer()
+    : mouse_(kLifePx),
+      finger_(kFingerStillPx),
+      presses_(kLifePx, kLifePx),
+      wheel_(0.0) {}
+
+void KioskPointer::advance(double now_s) {
+    const double dt_s = std::max(0.0, now_s - advanced_s_.value_or(now_s));
+    advanced_s_ = now_s;
+    mouse_.pass(dt_s);
+    finger_.pass(dt_s);
+    presses_.pass(dt_s, buttons_down_ != 0);
+    wheel_.pass(dt_s);
+}
+
+std::vector<std::string> KioskPointer::restless() const {
+    std::vector<std::string> words;
+    if (presses_.never_rests() || (finger_down_ && finger_.never_rests()))
+        words.emplace_back("touch screen or mouse button");
+    if (mouse_.never_rests() && buttons_down_ == 0) words.emplace_back("mouse");
+    if (wheel_.never_rests()) words.emplace_back("mouse wheel");
+    if (key_down_s_ && advanced_s_.value_or(0.0) - *key_down_s_ >= haptics::kNeverRestsAfterS)
+        words.emplace_back("keyboard");
+    return words;
+}
 
 void KioskPointer::forget() {
     focus_ = -1;
@@ -98,14 +130,21 @@ void KioskPointer::press_focus(std::vector<PointerNews>& news) const {
     news.push_back({Kind::kPressed, target.button, target.value, {}});
 }
 
+bool KioskPointer::is_pressed(const window::KeyEvent& key, double now_s) {
+    if (!key.pressed) key_down_s_.reset();
+    if (!key.pressed) return false;
+    if (!key.repeat || !key_down_s_) key_down_s_ = now_s;
+    return now_s - *key_down_s_ < kLongestStillS;
+}
+
 void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news) {
     using window::Key;
-    if (!key.pressed) return;
-    // A press is not reported as kLife, which could close the panel that it is meant for.
+    if (!is_pressed(key, now_s)) return;
+    // A press is reported as such, without kLife, which could close the panel it is meant for.
     const bool takes =
         key.key == Key::kF1 || ((key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0);
-    if (!takes) news.push_back({.kind = Kind::kLife, .value = 1});
-    const auto nudge = [&](kiosk::Button button) { news.push_back({Kind::kNudged, button, 0, {}}); };
+    if (!takes && !key.repeat) news.push_back({.kind = Kind::kLife, .value = 1});
+    const auto nudge = [&](kiosk::Button to) { news.push_back({Kind::kNudged, to, 0, {}, !key.repeat}); };
     switch (key.key) {
         case Key::kTab:
         case Key::kRightBracket:
@@ -191,21 +230,16 @@ void KioskPointer::handle_pointer(const window::PointerEvent& pointer, double no
     }
     at_px_ = vec2(pointer.x_px, pointer.y_px);
     if (!in_corner(at_px_)) corner_s_.reset();
-    if (!pointer_came_) still_px_ = at_px_;  // a new window reports the place of a resting mouse
-    pointer_came_ = true;
-    if (glm::length(at_px_ - still_px_) > kLifePx) {
-        still_px_ = at_px_;
+    // A new window reports the place of a resting mouse.
+    if (mouse_.moved_to(place(at_px_), 0.0)) {
         if (now_s - leapt_s_ < kOnItsWayS && !life_s_) life_s_ = now_s + kLandingS;
         leapt_s_ = now_s;
     }
     if (pressed_ >= 0) pressed_over_ = target_at(at_px_) == pressed_;
     if (finger_down_ && !in_window(at_px_)) lift_finger(news);
-    if (finger_down_ && glm::length(at_px_ - finger_still_px_) > kFingerStillPx) {
-        finger_still_px_ = at_px_;
-        finger_still_s_ = now_s;
-    }
     if (finger_down_) {
-        news.push_back({.kind = Kind::kFingerMoved, .at_px = at_px_});
+        const bool lives = finger_.moved_to(place(at_px_), 0.0);
+        news.push_back({.kind = Kind::kFingerMoved, .at_px = at_px_, .lives = lives});
     } else if (buttons_down_ == 0) {
         news.push_back({.kind = Kind::kHovered, .at_px = at_px_});
     }
@@ -219,6 +253,7 @@ void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s
     if (button.pressed) lift_finger(news);  // a second button, or one whose release was lost
     if (button.button != window::MouseButton::kLeft) return;
     if (button.pressed) {
+        if (!presses_.struck_at(place(at_px_))) return;
         scans_ = false;
         focus_ = -1;
         if (in_corner(at_px_)) corner_s_ = now_s;
@@ -226,11 +261,12 @@ void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s
         pressed_meaning_ = meaning_of(pressed_);
         pressed_over_ = pressed_ >= 0;
         pressed_key_ = screen_key_;
+        pressed_s_ = now_s;
         repeat_s_ = now_s + kRepeatAfterS;
         has_repeated_ = false;
         finger_down_ = pressed_ < 0 && !corner_s_ && is_alone;
-        finger_still_px_ = at_px_;
-        finger_still_s_ = now_s;
+        finger_ = haptics::ControlSense(kFingerStillPx);
+        static_cast<void>(finger_.moved_to(place(at_px_), 0.0));
         if (pressed_ >= 0) {
             life_s_.reset();
         } else {
@@ -252,6 +288,7 @@ void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s
 }
 
 void KioskPointer::handle(const window::Event& event, double now_s, std::vector<PointerNews>& news) {
+    advance(now_s);
     if (const auto* pointer = std::get_if<window::PointerEvent>(&event)) {
         handle_pointer(*pointer, now_s, news);
     } else if (const auto* button = std::get_if<window::ButtonEvent>(&event)) {
@@ -266,23 +303,25 @@ void KioskPointer::handle(const window::Event& event, double now_s, std::vector<
         pressed_ = -1;
         pressed_over_ = false;
         corner_s_.reset();
+        key_down_s_.reset();
     } else if (std::holds_alternative<window::ScrollEvent>(event)) {
-        news.push_back({.kind = Kind::kLife});
+        if (wheel_.struck_at(dvec3(0.0))) news.push_back({.kind = Kind::kLife});
     } else if (std::holds_alternative<window::CloseEvent>(event)) {
         news.push_back({.kind = Kind::kCloseAsked});
     }
 }
 
 void KioskPointer::pass_time(double now_s, std::vector<PointerNews>& news) {
+    advance(now_s);
     if (pressed_ >= 0 && pressed_ < target_count() && pressed_over_ && pressed_key_ == screen_key_) {
         const screens::Target& target = composition_->targets[static_cast<std::size_t>(pressed_)];
-        if (target.repeats && now_s >= repeat_s_) {
+        if (target.repeats && now_s >= repeat_s_ && now_s - pressed_s_ < kLongestStillS) {
             repeat_s_ = now_s + kRepeatEveryS;
             has_repeated_ = true;
             news.push_back({Kind::kPressed, target.button, target.value, at_px_});
         }
     }
-    if (finger_down_ && now_s - finger_still_s_ >= kLongestStillS) lift_finger(news);
+    if (finger_down_ && finger_.still_s() >= kLongestStillS) lift_finger(news);
     if (life_s_ && now_s >= *life_s_) {
         life_s_.reset();
         news.push_back({.kind = Kind::kLife, .at_px = at_px_});

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "engine/haptics/control_sense.h"
 #include "engine/window/events.h"
 #include "game/kiosk/screen.h"
 #include "game/screens/page/composition.h"
@@ -32,10 +34,13 @@ struct PointerNews {
     kiosk::Button button = kiosk::Button::kNone;
     int value = 0;
     vec2 at_px{0.0F};
+    bool lives = true;  // false: a held key repeats, or a finger trembles; nobody need be there for that
 };
 
 class KioskPointer {
   public:
+    KioskPointer();
+
     // Sets the shown composition and the key of its screen. A press counts only if it ends on the screen on
     // which it began.
     void look_at(const screens::Composition* composition, int screen_key, bool right_to_left);
@@ -57,6 +62,8 @@ class KioskPointer {
     [[nodiscard]] bool rests_on_scene() const { return finger_down_; }
     // A new visit: drops ring and scan.
     void forget();
+    // What does not come to rest (control_sense.h), in words.
+    [[nodiscard]] std::vector<std::string> restless() const;
 
   private:
     [[nodiscard]] int target_at(vec2 px) const;
@@ -77,25 +84,31 @@ class KioskPointer {
     void handle_button(const window::ButtonEvent& button, double now_s, std::vector<PointerNews>& news);
     void lift_finger(std::vector<PointerNews>& news);
     void handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news);
+    // False: it is released, or has been down for so long that it lies under an object.
+    [[nodiscard]] bool is_pressed(const window::KeyEvent& key, double now_s);
     void press_focus(std::vector<PointerNews>& news) const;
+    void advance(double now_s);
     void move_focus(int by);
 
     const screens::Composition* composition_ = nullptr;
     int screen_key_ = -1;
     bool right_to_left_ = false;
     vec2 at_px_{0.0F};
-    vec2 still_px_{0.0F};           // resting place of a mouse, within jitter
-    double leapt_s_ = -1e9;         // when the mouse last left that place
+    haptics::ControlSense mouse_;
+    double leapt_s_ = -1e9;         // when the mouse last moved beyond its jitter
     std::optional<double> life_s_;  // when to report the motion as a sign of life
-    bool pointer_came_ = false;
-    unsigned buttons_down_ = 0;  // one bit per button
+    unsigned buttons_down_ = 0;     // one bit per button
     bool finger_down_ = false;
-    vec2 finger_still_px_{0.0F};  // where the finger rests on the scene, and since when
-    double finger_still_s_ = 0.0;
+    haptics::ControlSense finger_;   // that finger
+    haptics::ControlSense presses_;  // where the screen is pressed
+    haptics::ControlSense wheel_;
+    std::optional<double> key_down_s_;  // since when a key is held
+    std::optional<double> advanced_s_;
     int pressed_ = -1;
     Meaning pressed_meaning_{};
     bool pressed_over_ = false;  // the pointer is still on the pressed target
     int pressed_key_ = -1;       // the screen on which it was pressed
+    double pressed_s_ = 0.0;
     double repeat_s_ = 0.0;      // when a held token repeats next
     bool has_repeated_ = false;  // since the press
     std::optional<double> corner_s_;

@@ -151,7 +151,7 @@ tool::ToolState DemonstrationDevice::read_tool(std::uint64_t tick, double dt_s) 
     }
     plays_ = true;
     const tool::ToolState tool = at(players_[place], shown % kTicksEach);
-    is_moving_ = sense_.moved_to(tool.position_mm);
+    is_moving_ = sense_.moved_to(tool.position_mm, dt_s);
     return tool;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/haptics/control_sense.h"
 #include "engine/haptics/haptic_device.h"
 #include "game/haptic/simulated_device.h"
 #include "game/haptic/tick.h"
@@ -88,7 +89,7 @@ class DemonstrationDevice final : public haptic::ToolDevice {
 
     std::unique_ptr<haptic::SimulatedDevice> person_;
     std::vector<Player> players_;  // haptic thread only
-    haptics::MotionSense sense_{1.0};
+    haptics::ControlSense sense_{1.0};
     bool plays_ = false;
     bool is_moving_ = false;
 };

@@ -145,6 +145,8 @@ std::vector<StaffLine> device_lines(const Health& health) {
             {device.name, device.works ? device.ability : device.why_not, device.works ? "ok" : "warn"});
     }
     if (health.devices.empty()) lines.push_back({"Plugged in", "none", ""});
+    for (const std::string& name : health.restless)
+        lines.push_back({name, "does not come to rest; it does not keep the kiosk awake", "warn"});
     return lines;
 }
 

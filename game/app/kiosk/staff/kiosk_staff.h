@@ -38,7 +38,8 @@ struct Health {
     std::string sound = {};  // name of the sound device; empty without one
     std::string sound_lack = {};
     std::vector<AttachedDevices::Seen> devices = {};
-    std::string holder = {};  // the device with the tool; empty for touch and mouse
+    std::string holder = {};                 // the device with the tool; empty for touch and mouse
+    std::vector<std::string> restless = {};  // devices and controls that do not come to rest
     UseOfDay use = {};
     std::vector<std::pair<int, std::string>> pots = {};  // number for the delete key, and name; newest first
     std::size_t pots_beyond = 0;                         // number of older ones, not in `pots`

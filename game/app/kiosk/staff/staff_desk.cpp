@@ -112,6 +112,7 @@ Health StaffDesk::health(const screens::View& view, const haptic::Snapshot& snap
                   .sound_lack = parts_.sound.lack(),
                   .devices = parts_.devices.seen(),
                   .holder = parts_.devices.holder(),
+                  .restless = restless_,
                   .use = {},
                   .pots = {},
                   .pots_beyond = 0,

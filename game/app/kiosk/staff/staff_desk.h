@@ -37,6 +37,8 @@ class StaffDesk {
 
     // Call it once a frame on every screen. frame_ms is the time since the last frame.
     void see_frame(double now_s, double frame_ms, const haptic::Snapshot& snapshot);
+    // The names of devices and controls that do not come to rest.
+    void see_restless(const std::vector<std::string>& names) { restless_ = names; }
     // The data for the museum's monitoring: only the program's health.
     [[nodiscard]] KioskPulse pulse(const haptic::Snapshot& snapshot) const;
     void take(const KeeperAnswer::Survey& survey);
@@ -62,6 +64,7 @@ class StaffDesk {
 
     DeskParts parts_;
     HealthMeter meter_;
+    std::vector<std::string> restless_;
     std::optional<double> started_s_;
     double now_s_ = 0.0;
     std::optional<KeeperAnswer::Survey> survey_;

@@ -75,9 +75,10 @@ Result<void> KioskVisit::frame(double now_s) {
                              .snapshot = parts_.job.newest_snapshot()};
     moment_ = &moment;
     desk_.see_frame(now_s, kMsPerS * frame_s, moment.snapshot);
+    desk_.see_restless(input_.restless());
     dispatch(kiosk::event::Tick{});
     input_.take(moment);
-    wheel_.take_clay(moment.snapshot);
+    wheel_.take_clay(moment.snapshot, input_.holder_lives(now_s));
     trim_.look(moment.snapshot);
     if (wheel_.clay_is_there()) jar_.look(moment.snapshot);
     wheel_.take_fault(moment);

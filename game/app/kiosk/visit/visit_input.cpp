@@ -1,8 +1,12 @@
 #include "game/app/kiosk/visit/visit_input.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "engine/haptics/control_sense.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/kiosk/visit/bench_tools.h"
 #include "game/visit/flow/step.h"
@@ -12,6 +16,8 @@ namespace onggi::app {
 namespace event = kiosk::event;
 
 namespace {
+
+constexpr double kWorksOnS = 1.0;  // slow work changes less often than once a frame
 
 using kiosk::Button;
 using visit::Finger;
@@ -56,6 +62,11 @@ bool VisitInput::hovers(double now_s) const {
     return now_s - hovered_s_ < kHoversS;
 }
 
+bool VisitInput::holder_lives(double now_s) const {
+    const double lived_s = parts_.devices.holder().empty() ? finger_lived_s_ : device_lived_s_;
+    return now_s - lived_s < kWorksOnS;
+}
+
 void VisitInput::nudge(Button button) {
     keys_lead_ = true;
     const FingerKey key = finger_key(upright(button, flow_.state()));
@@ -97,7 +108,7 @@ bool VisitInput::take_drawing(const PointerNews& news) {
             drawing_.press(news.at_px);
             return true;
         case PointerNews::Kind::kFingerMoved:
-            flow_.dispatch(event::Input{});
+            if (news.lives) flow_.dispatch(event::Input{});
             drawing_.drag(news.at_px);
             return true;
         case PointerNews::Kind::kFingerUp:
@@ -128,6 +139,9 @@ bool VisitInput::pick_up(vec2 px) {
 }
 
 void VisitInput::take_news(const PointerNews& news, double now_s) {
+    using Kind = PointerNews::Kind;
+    const bool is_of_nobody = news.kind == Kind::kFingerUp || news.kind == Kind::kHovered;
+    if (news.lives && !is_of_nobody) finger_lived_s_ = now_s;
     if (open_finger(flow_.state()) == Finger::kBrush && take_drawing(news)) return;
     switch (news.kind) {
         case PointerNews::Kind::kNone:
@@ -150,7 +164,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             break;
         case PointerNews::Kind::kFingerMoved:
             if (!finger_counts(flow_.state()) && open_finger(flow_.state()) != Finger::kLooks) break;
-            flow_.dispatch(event::Input{});
+            if (news.lives) flow_.dispatch(event::Input{});
             if (const auto place = finger_place(news.at_px)) finger_.drag(*place);
             break;
         case PointerNews::Kind::kFingerUp:
@@ -166,7 +180,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kNudged:
             if (open_finger(flow_.state()) == Finger::kBowl) flow_.dispatch(event::Pressed{news.button});
             if (!finger_counts(flow_.state())) break;
-            flow_.dispatch(event::ClayTouched{});
+            if (news.lives) flow_.dispatch(event::ClayTouched{});
             keys_lead_ = true;
             finger_.key(finger_key(upright(news.button, flow_.state())), side_of(flow_.state()));
             break;
@@ -194,13 +208,14 @@ void VisitInput::take(const VisitMoment& moment) {
     pointer_.pass_time(moment.now_s, all);
     for (const PointerNews& news : all)
         take_news(news, moment.now_s);
-    take_devices();
+    take_devices(moment.now_s);
     take_gamepads(moment);
+    name_restless(moment.now_s);
     help_along();
     if (!finger_counts(flow_.state())) finger_.release();
 }
 
-void VisitInput::take_devices() {
+void VisitInput::take_devices(double now_s) {
     for (const std::string& line : parts_.devices.news())
         flow_.say(line);
     const bool has_device = parts_.devices.has_device();
@@ -210,7 +225,32 @@ void VisitInput::take_devices() {
     const std::string holder = parts_.devices.holder();
     if (!holder.empty() && holder != holder_) finger_.release();
     holder_ = holder;
-    if (parts_.devices.somebody_moved()) flow_.dispatch(event::Input{});
+    if (!parts_.devices.somebody_moved()) return;
+    device_lived_s_ = now_s;
+    flow_.dispatch(event::Input{});
+}
+
+// Not while anybody is there, whose hand may be what does not rest.
+void VisitInput::name_restless(double now_s) {
+    restless_ = parts_.devices.restless();
+    for (auto& names : {gamepads_.restless(), pointer_.restless()})
+        restless_.insert(restless_.end(), names.begin(), names.end());
+    const auto is_in = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::erase_if(named_, [&](const std::string& name) {
+        if (is_in(restless_, name)) return false;
+        flow_.say(fmt::format("device: {} is at rest again", name));
+        return true;
+    });
+    const kiosk::State& state = flow_.state();
+    const bool is_alone = step_of(state.screen).whose == visit::Whose::kNobody &&
+                          now_s - state.screen_s >= haptics::kControlRestsS;
+    for (const std::string& name : restless_) {
+        if (!is_alone || is_in(named_, name)) continue;
+        flow_.warn(fmt::format("device: {} does not come to rest; it no longer keeps the kiosk awake", name));
+        named_.push_back(name);
+    }
 }
 
 void VisitInput::take_gamepads(const VisitMoment& moment) {
@@ -224,6 +264,7 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
         pointer_.handle(key, moment.now_s, all);
     for (const PointerNews& news : all)
         take_news(news, moment.now_s);
+    if (request.is_used) finger_lived_s_ = moment.now_s;
     if (request.is_used && keys.empty()) flow_.dispatch(event::Input{});
     if (!finger_counts(flow_.state())) return;
     if (request.is_for_clay) flow_.dispatch(event::ClayTouched{});

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "game/app/devices/gamepad_finger.h"
 #include "game/app/kiosk/finger/kiosk_finger.h"
@@ -43,6 +44,11 @@ class VisitInput {
     void lead_by_keys() { keys_lead_ = true; }
     // Whether a mouse without a pressed button has moved recently.
     [[nodiscard]] bool hovers(double now_s) const;
+    // Somebody has changed something a moment ago at whatever has the tool. What touches the clay without
+    // that is a stick that leans, or a finger that nobody lifts.
+    [[nodiscard]] bool holder_lives(double now_s) const;
+    // The names of devices and controls that do not come to rest.
+    [[nodiscard]] const std::vector<std::string>& restless() const { return restless_; }
 
   private:
     void take_news(const PointerNews& news, double now_s);
@@ -51,9 +57,10 @@ class VisitInput {
     // The place on the clay as it is on the wheel, also in the view upside down.
     [[nodiscard]] std::optional<dvec2> finger_place(vec2 px) const;
     bool pick_up(vec2 px);
-    void take_devices();
+    void take_devices(double now_s);
     void take_gamepads(const VisitMoment& moment);
-    void help_along();  // attracts the finger to the shown outline
+    void help_along();  // draws a finger to the outline that is shown
+    void name_restless(double now_s);
 
     const VisitParts& parts_;
     KioskFinger& finger_;
@@ -66,8 +73,12 @@ class VisitInput {
     double hovered_s_ = -1e9;  // time of the last mouse motion without a button
     bool keys_lead_ = false;
     bool had_device_ = false;
-    std::string holder_;         // the device with the tool
-    std::optional<int> helped_;  // the target of the shown outline and the lesson's progress
+    std::string holder_;  // the device that has the tool
+    double device_lived_s_ = -1e9;
+    double finger_lived_s_ = -1e9;  // pointer, keys and gamepads
+    std::vector<std::string> restless_;
+    std::vector<std::string> named_;  // those that the journal has named
+    std::optional<int> helped_;       // along the outline of which target, and how far the lesson had come
     int helped_steps_ = 0;
     kiosk::JarStep helped_jar_ = kiosk::JarStep::kNone;
     bool full_screen_ = false;

@@ -135,10 +135,11 @@ void VisitWheel::rearm_force() {
     static_cast<void>(parts_.job.send(haptic::Command::kRearmForce));
 }
 
-void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
+void VisitWheel::take_clay(const haptic::Snapshot& snapshot, bool holder_lives) {
     const bool touches = snapshot.result.forces.contacts > 0;
-    // A visitor with a device chooses free throwing by touching the clay, without the screen.
-    if (open_finger(flow_.state()) == Finger::kLooks && touches && !parts_.devices.holder().empty()) {
+    // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
+    if (open_finger(flow_.state()) == Finger::kLooks && touches && holder_lives &&
+        !parts_.devices.holder().empty()) {
         flow_.dispatch(event::ClayTouched{});
         return;
     }
@@ -146,7 +147,7 @@ void VisitWheel::take_clay(const haptic::Snapshot& snapshot) {
     // Demonstrating hands are not the visitor's touch.
     const bool holds = parts_.devices.holder().empty() ? finger_.works() && !finger_.shows() : touches;
     const bool held = flow_.state().pace.held;
-    if (touches && holds) flow_.dispatch(event::ClayTouched{.goes_on = held});
+    if (touches && holds && holder_lives) flow_.dispatch(event::ClayTouched{.goes_on = held});
     if (holds != held) flow_.dispatch(event::Held{holds});
     if (flow_.state().throwing.shown && !finger_.shows()) flow_.dispatch(event::ShowOver{});
     const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);

@@ -85,8 +85,8 @@ class VisitWheel {
     // Ends the demonstrations: the clay is a visitor's.
     void end_shows() { demo_runs_ = false; }
 
-    // Dispatches the events of clay and forces.
-    void take_clay(const haptic::Snapshot& snapshot);
+    // What clay and force tell the visit.
+    void take_clay(const haptic::Snapshot& snapshot, bool holder_lives);
     void take_fault(const VisitMoment& moment);
     // Moves the hand and its tool.
     void move_hand(const VisitMoment& moment);
