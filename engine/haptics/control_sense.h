@@ -1,12 +1,12 @@
-// Tells a person at a control from the wear of the control. A control is anything that says a value: a stick,
-// a trigger, a pedal, the place of a touch, of a mouse or of a hand. A person changes it. What stays where it
-// is, trembles within its noise or drifts slowly is no sign of life.
+// Distinguishes a person at a control from wear of the control. A control is anything with a value: a stick,
+// a trigger, a pedal, the position of a touch, a mouse or a hand. A person changes the value. A value that
+// stays, varies within its noise or drifts slowly is no sign of life.
 //
-// A control that does not come to rest for minutes is worn: from then on only what goes well beyond its own
-// motion counts, until it has rested.
+// A control that does not come to rest for minutes is worn. From then on only values well outside its own
+// range count, until it has rested.
 //
 // Pure: no clock, time is the sum of the steps; no allocation, fit for the tick. Values in the control's own
-// unit, s.
+// unit, time in s.
 #pragma once
 
 #include <algorithm>
@@ -18,20 +18,21 @@
 
 namespace onggi::haptics {
 
-constexpr double kControlRestsS = 60.0;      // without a change for so long, it is at rest
-constexpr double kNeverRestsAfterS = 600.0;  // without a rest, or held away from its rest, for so long
+constexpr double kControlRestsS = 60.0;  // at rest after this time without a change
+constexpr double kNeverRestsAfterS =
+    600.0;  // flagged after this time without a rest, or away from its rest position
 
 class ControlSense {
   public:
-    // noise: a change by less counts for nothing. widest: what goes about farther than that is a person,
-    // however long it goes on; for controls that many people use one after the other without a pause.
+    // noise: smaller changes are ignored. widest: a control that ranges farther is used by people and is
+    // never worn; for controls that many people use without a pause.
     explicit ControlSense(double noise, double widest = std::numeric_limits<double>::infinity())
         : noise_(noise),
           widest_(widest) {}
 
-    // After dt_s more the control says `value`. Whether that is a sign of life: by how far it has come, not
-    // by how fast, so that slow work counts. The first value is none. A value that is not a number is
-    // ignored. is_held: away from the place at which the control rests, where it has one.
+    // Takes the value after another dt_s. Returns whether it is a sign of life, judged by distance and not by
+    // speed, so that slow work counts. The first value is no sign of life. Ignores a value that is not
+    // finite. is_held: the control is away from its rest position, if it has one.
     [[nodiscard]] bool moved_to(const dvec3& value, double dt_s, bool is_held = false) noexcept {
         pass(dt_s, is_held);
         const dvec3 way = value - still_;
@@ -49,12 +50,12 @@ class ControlSense {
         now_.take(value);
         return false;
     }
-    // An event of a control, such as a press: a change even where the value is the same.
+    // Takes an event of a control, such as a press: a change even if the value is the same.
     [[nodiscard]] bool struck_at(const dvec3& value) noexcept {
         if (!std::exchange(knows_a_value_, true)) now_ = before_ = {value, value};
         return changed_to(value);
     }
-    // Time passes, and nothing is known of the value.
+    // Advances the time without a value.
     void pass(double dt_s, bool is_held = false) noexcept {
         held_s_ = is_held ? held_s_ + dt_s : 0.0;
         since_change_s_ += dt_s;
@@ -70,19 +71,19 @@ class ControlSense {
             busy_s_ = 0.0;
         }
         if (window_s_ < kControlRestsS) return;
-        if (is_worn_ && since_life_s_ >= window_s_) own_ = now_;  // nobody was there: it follows the wear
+        if (is_worn_ && since_life_s_ >= window_s_) own_ = now_;  // no person was there: follow the wear
         before_ = now_;
         now_ = {still_, still_};
         window_s_ = 0.0;
     }
 
-    // Since the last sign of life.
+    // The time since the last sign of life.
     [[nodiscard]] double still_s() const noexcept { return since_life_s_; }
-    // Worn, or held for as long.
+    // Whether the control is worn, or held for as long.
     [[nodiscard]] bool never_rests() const noexcept { return is_worn_ || held_s_ >= kNeverRestsAfterS; }
 
   private:
-    // All values between two, axis by axis.
+    // A range of values for each axis.
     struct Range {
         dvec3 low{0.0};
         dvec3 high{0.0};
@@ -98,7 +99,7 @@ class ControlSense {
             const dvec3 way = high - low;
             return glm::dot(way, way) <= size * size;
         }
-        // Half as wide again on either side, and the noise.
+        // Whether the value is within the range, widened by half its width and the noise on either side.
         [[nodiscard]] bool nearly_holds(const dvec3& value, double noise) const noexcept {
             const dvec3 margin = 0.5 * (high - low) + dvec3(noise);
             return glm::all(glm::greaterThanEqual(value, low - margin)) &&
@@ -118,15 +119,15 @@ class ControlSense {
     double noise_;
     double widest_;
     bool knows_a_value_ = false;
-    dvec3 still_{0.0};  // where it was when it last changed; follows a drift
+    dvec3 still_{0.0};  // the value at the last change; follows a drift
     double since_change_s_ = 0.0;
     double since_life_s_ = 0.0;
-    double busy_s_ = 0.0;  // signs of life without a rest
+    double busy_s_ = 0.0;  // duration of signs of life without a rest
     double held_s_ = 0.0;
     bool is_worn_ = false;
-    Range own_;     // what a worn control does by itself
-    Range now_;     // its values in this window of kControlRestsS
-    Range before_;  // in the one before
+    Range own_;     // the range of a worn control without a person
+    Range now_;     // the range in this window of kControlRestsS
+    Range before_;  // the range in the previous window
     double window_s_ = 0.0;
 };
 

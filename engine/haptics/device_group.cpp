@@ -103,7 +103,7 @@ HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
     }
     bool lives = false;
     std::uint32_t restless = 0;
-    std::uint32_t bit = 1;  // the first's, of which the window tells
+    std::uint32_t bit = 1;  // the first device has no bit set: the window watches it
     for (std::size_t device = 1; device < devices_.size(); ++device) {
         bit <<= 1U;
         if (!seen_[device].is_here) continue;
@@ -118,7 +118,7 @@ HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
         turn_by(sample, foot, true);
     }
     restless_.store(restless, std::memory_order_relaxed);
-    // This thread alone writes it.
+    // No other thread writes it.
     if (lives)
         signs_of_life_.store(signs_of_life_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 

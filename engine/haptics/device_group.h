@@ -112,13 +112,13 @@ class DeviceGroup final : public HapticDevice {
     [[nodiscard]] std::size_t holder() const noexcept {
         return shown_holder_.load(std::memory_order_relaxed);
     }
-    // Any thread: in how many reads so far somebody was seen to change something at a device besides the
-    // first, or at a pedal.
+    // Any thread: the number of reads in which a person changed a control of a device other than the first,
+    // or of a pedal.
     [[nodiscard]] std::uint64_t signs_of_life() const noexcept {
         return signs_of_life_.load(std::memory_order_relaxed);
     }
-    // Any thread: which devices do not come to rest, a bit each: those of the constructor's list, then the
-    // pedals.
+    // Any thread: one bit for each device that does not come to rest, in the order of the constructor's list,
+    // then the pedals.
     [[nodiscard]] std::uint32_t restless() const noexcept {
         return restless_.load(std::memory_order_relaxed);
     }

@@ -1,5 +1,5 @@
-// What a device reads of the hand that holds it at one instant. What the hand works with, and on what, only
-// the program knows. mm.
+// The input of a device from the hand that holds it, at one instant. The program knows what tool the hand
+// has, and on what it works. mm.
 #pragma once
 
 #include "engine/math/math.h"

@@ -80,12 +80,13 @@ class HapticDevice {
     // Whether the person moves the device or presses a button, beyond the device's noise and the tremor of
     // holding it. A recording always moves.
     [[nodiscard]] virtual bool is_moving() const noexcept { return true; }
-    // The person has changed something, so somebody is there. A hand that holds a stick still moves the tool
-    // and gives no such sign.
+    // Whether the person changed a control, which is a sign of life. A stick that is held still moves the
+    // tool but is no sign of life.
     [[nodiscard]] virtual bool lives() const noexcept { return is_moving(); }
-    // One of its controls does not come to rest (control_sense.h): it is worn, or something leans on it.
+    // Whether one of the controls does not come to rest (control_sense.h): it is worn, or an object lies on
+    // it.
     [[nodiscard]] virtual bool never_rests() const noexcept { return false; }
-    // Another device has brought the tool here; go on from there where the device can.
+    // Another device has moved the tool here; continue from there if the device can.
     virtual void take_over(const dvec3& /*position_mm*/) noexcept {}
     // write: the limited force on the tool, N, in the wheel's frame. The device applies it until the next
     // tick.

@@ -51,7 +51,7 @@ tool::ToolState SimulatedDevice::read_tool(std::uint64_t /*tick*/, double dt_s) 
         target.wire = newest.wire;
         target.wire_height_mm = newest.wire_height_mm;
     }
-    // Who lays a finger down does something, also where it lay before.
+    // Putting a finger down counts as motion, even at the same position.
     is_moving_ = sense_.moved_to(target.position_mm, dt_s) || target.wheel_button != last_button_ ||
                  target.pressing != last_pressing_;
     last_button_ = target.wheel_button;

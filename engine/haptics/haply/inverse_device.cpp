@@ -243,7 +243,7 @@ HandSample InverseDevice::read(std::uint64_t /*tick*/, double dt_s) noexcept {
     const bool was_here = is_here_;
     is_here_ = input.is_live && silence_s_ <= kSilenceS;
     is_moving_ = is_here_ && sense_.moved_to(input.place_mm, dt_s);
-    // Back again, it goes on from where the tool was left, wherever the hand has been meanwhile.
+    // After a reconnection the tool continues from where it was, wherever the hand is now.
     if (is_here_ && !was_here) offset_mm_ = sample_.position_mm - input.place_mm;
     if (is_here_) sample_.position_mm = input.place_mm + offset_mm_;
     return sample_;

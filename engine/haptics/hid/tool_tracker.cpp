@@ -25,7 +25,8 @@ HandSample ToolTracker::moved(const DeviceInput& input, double dt_s) noexcept {
         rev_min_ = std::clamp(input.rev_min > 0.0 ? input.rev_min : rev_min_ + input.change_rev_min_s * dt_s,
                               kSlowestRevMin, kFastestRevMin);
     }
-    travelled_mm_ = input.travelled_mm;  // what came while it was not live is lost, and does not make a jump
+    // Travel while the input was not live is dropped, which avoids a jump.
+    travelled_mm_ = input.travelled_mm;
     if (is_live_) watch(input, dt_s);
 
     const dvec2 tool_mm = reach_.within({place_mm_.x - press_mm_, place_mm_.y});
@@ -33,10 +34,10 @@ HandSample ToolTracker::moved(const DeviceInput& input, double dt_s) noexcept {
         .position_mm = {tool_mm.x, tool_mm.y, 0.0}, .button = is_live_ && input.button, .rev_min = rev_min_};
 }
 
-// What the hand says of itself, wherever the tool is: a stick's place, a trigger's press, a push.
+// The hand's own motion, independent of the tool: a stick's position, a trigger's press, a push.
 void ToolTracker::watch(const DeviceInput& input, double dt_s) noexcept {
     const bool pushes = input.motion == DeviceInput::Motion::kRate && input.rate_mm_s != dvec2(0.0);
-    // A joystick's button may be a switch, which is left on; a pedal has none.
+    // A joystick's button may be a switch that stays on; a pedal has no switch.
     const bool foot_is_down = input.motion == DeviceInput::Motion::kNone && input.buttons != 0;
     const bool is_pushed = push_.moved_to({input.push.x, input.push.y, 0.0}, dt_s, pushes);
     const bool is_held =

@@ -24,16 +24,16 @@ class ToolTracker {
     // Whether the device refreshed the position between the last two calls of moved(); the heartbeat alone
     // only shows that the I/O thread runs.
     [[nodiscard]] bool was_refreshed() const noexcept { return was_refreshed_; }
-    // About the last moved(): the person does something, a press of a button included, or a push that is held
-    // still, until it is at rest.
+    // Whether the hand moved or pressed a button in the last moved(), or holds a push that is not yet at
+    // rest.
     [[nodiscard]] bool hand_moves() const noexcept { return is_live_ && hand_moves_; }
-    // About the last moved(): the person has changed something.
+    // Whether the person changed a control in the last moved().
     [[nodiscard]] bool hand_lives() const noexcept { return is_live_ && hand_lives_; }
     [[nodiscard]] bool never_rests() const noexcept {
         return is_live_ && (push_.never_rests() || hold_.never_rests() || travel_.never_rests() ||
                             buttons_.never_rests());
     }
-    // The tool was brought here; a hand that says how fast goes on from there.
+    // Another hand has moved the tool here; rate control continues from there.
     void put_at(const dvec3& position_mm) noexcept {
         place_mm_ = reach_.within({position_mm.x + press_mm_, position_mm.y});
     }
@@ -52,7 +52,8 @@ class ToolTracker {
     static constexpr double kFastestRevMin = 240.0;
     // More than the noise of a held stick or of a trigger at rest.
     static constexpr double kNoiseMm = 1.5;
-    static constexpr double kPushNoise = 0.05;  // the same of a stick that says how fast, of its travel
+    static constexpr double kPushNoise =
+        0.05;  // the same for a rate-control stick, as a fraction of its travel
 
     ToolReach reach_;
     dvec2 place_mm_;  // radius, height, without the press
@@ -65,9 +66,9 @@ class ToolTracker {
     double silence_s_ = 0.0;
     bool is_live_ = false;
     ControlSense push_{kPushNoise};
-    ControlSense hold_{kNoiseMm};  // of the tool, and of the trigger that presses it
+    ControlSense hold_{kNoiseMm};  // the tool, and the trigger that presses it
     ControlSense travel_{kNoiseMm};
-    ControlSense buttons_{0.5};  // their bits as a number
+    ControlSense buttons_{0.5};  // the bits as a number
     bool hand_moves_ = false;
     bool hand_lives_ = false;
 };

@@ -36,12 +36,12 @@ class AttachedDevices {
     [[nodiscard]] std::vector<std::string> news();
     // The device that has the tool; empty: the first.
     [[nodiscard]] std::string holder() const;
-    // Whether somebody has changed something at a device besides the first, or at a pedal, since the last
+    // Whether a person changed a control of a device other than the first, or of a pedal, since the last
     // call.
     [[nodiscard]] bool somebody_moved();
-    // The names of those that do not come to rest (control_sense.h).
+    // The names of the devices that do not come to rest (control_sense.h).
     [[nodiscard]] std::vector<std::string> restless() const;
-    // Whether a device besides the first is plugged in and works, as of the last news().
+    // Whether a device other than the first is plugged in and works, as of the last news().
     [[nodiscard]] bool has_device() const;
     // The devices and pedals that are plugged in, as of the last news().
     struct Seen {

@@ -12,14 +12,14 @@ using window::Gamepad;
 constexpr float kTriggerPulled = 0.1F;
 constexpr std::uint32_t kRingButtons = Gamepad::kLeft | Gamepad::kRight | Gamepad::kX;
 
-// The stick's deflection beyond its dead band, which is round, so that it has no corners.
+// The stick's deflection beyond its dead band. The band is radial, so that it has no corners.
 dvec2 beyond_band(dvec2 stick, double dead_band) {
     const double length = std::sqrt(glm::dot(stick, stick));
     if (!(length > dead_band)) return dvec2(0.0);
     return stick * (std::min((length - dead_band) / (1.0 - dead_band), 1.0) / length);
 }
 
-// By the third power: a light push moves finely.
+// The cube of the deflection, for fine control with a light push.
 dvec2 shaped(dvec2 beyond) {
     return beyond * glm::dot(beyond, beyond);
 }
@@ -33,7 +33,8 @@ GamepadFinger::Lives GamepadFinger::watch(const Gamepad& pad, double dt_s) {
     Watched& watched = place->second;
     watched.name = pad.name;
     watched.is_here = true;
-    // A pad is plugged in at rest: what is pressed then has been pressed.
+    // A new pad counts as at rest before its first report, so that a control that is pressed then is a
+    // change.
     if (is_new) {
         for (haptics::ControlSense* each :
              {&watched.left, &watched.right, &watched.trigger, &watched.buttons})
@@ -81,7 +82,7 @@ GamepadRequest GamepadFinger::request(std::span<const Gamepad> pads, double dt_s
     for (const Gamepad& pad : pads) {
         const Lives now = watch(pad, dt_s);
         lives = {lives.sticks || now.sticks, lives.trigger || now.trigger, lives.buttons || now.buttons};
-        // A stick that rests away from the middle is worn, and pushes nothing.
+        // A stick that rests away from the middle is worn and does not move the finger.
         const Watched& watched = watched_.at(pad.slot);
         if (watched.left.still_s() < mapping_.longest_still_s)
             push += shaped(beyond_band({pad.left_x, -pad.left_y}, mapping_.dead_band));
@@ -90,7 +91,7 @@ GamepadRequest GamepadFinger::request(std::span<const Gamepad> pads, double dt_s
         trigger = std::max(trigger, pad.right_trigger);
         buttons |= pad.buttons;
     }
-    // Contacts that chatter press nothing.
+    // A button with chattering contacts is ignored.
     const std::uint32_t changed = lives.buttons ? buttons ^ last_buttons_ : 0U;
     const std::uint32_t pressed = buttons & changed;
     const bool moves = lives.sticks || lives.trigger;

@@ -21,22 +21,22 @@ struct GamepadMapping {
     // The trigger presses beyond pressed_at and releases below released_at.
     double pressed_at = 0.5;
     double released_at = 0.3;
-    // A button that is held so long while nothing moves is stuck.
+    // A button held for longer without motion counts as stuck.
     double longest_still_s = haptics::kControlRestsS;
-    double noise = 0.05;  // of a stick's and a trigger's travel: a change by less is no sign of life
+    double noise = 0.05;  // fraction of a stick's or trigger's travel; a smaller change is no sign of life
 };
 
 // The request of the gamepads in one frame.
 struct GamepadRequest {
-    dvec2 step_mm{0.0};         // of the finger on its plane
-    bool is_used = false;       // somebody has changed anything at all
-    bool is_for_clay = false;   // anything but what walks the ring
-    bool presses = false;       // the finger is on the clay
-    double speed_steps = 0.0;   // a faster or slower wheel
-    double radius_steps = 0.0;  // larger or smaller tool
-    bool fresh_lump = false;    // asked once, as are the two below
-    int ring_steps = 0;         // of the ring that walks the buttons, forwards or back
-    bool takes = false;         // the button with the ring is pressed
+    dvec2 step_mm{0.0};         // motion of the finger on its plane
+    bool is_used = false;       // a person changed any control
+    bool is_for_clay = false;   // a person changed a control other than those of the focus ring
+    bool presses = false;       // the finger touches the clay
+    double speed_steps = 0.0;   // change of the wheel's speed
+    double radius_steps = 0.0;  // change of the tool's size
+    bool fresh_lump = false;    // set in the frame of the press, like ring_steps and takes
+    int ring_steps = 0;         // steps of the focus ring, forwards or backwards
+    bool takes = false;         // presses the button with the ring
 };
 
 // Converts the request's steps of the ring to the equivalent key events.
@@ -55,7 +55,7 @@ class GamepadFinger {
     [[nodiscard]] std::vector<std::string> restless() const;
 
   private:
-    // What tells a person at a pad from its wear.
+    // The senses of a pad's controls.
     struct Watched {
         std::string name;
         bool is_here;
@@ -73,7 +73,7 @@ class GamepadFinger {
     [[nodiscard]] bool presses(bool button, double trigger, bool is_moving, double dt_s);
 
     GamepadMapping mapping_;
-    std::map<int, Watched> watched_;  // by slot; of pads that were pulled out, too
+    std::map<int, Watched> watched_;  // by slot; keeps pads that were unplugged
     bool trigger_presses_ = false;
     double still_s_ = 0.0;            // time since the pressing finger last moved
     std::uint32_t last_buttons_ = 0;  // of all gamepads

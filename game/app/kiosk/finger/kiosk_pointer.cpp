@@ -19,8 +19,8 @@ constexpr double kRepeatEveryS = 0.25;
 constexpr double kCornerS = 5.0;
 constexpr float kCornerU = 80.0F;
 constexpr double kScanEveryS = 1.4;
-// A touch that does not move for longer is a fault of the touch screen, and a key or a press that repeats for
-// longer lies under an object.
+// A touch that does not move for longer is a fault of the touch screen; a key or press that repeats for
+// longer is held by an object.
 constexpr double kLongestStillS = haptics::kControlRestsS;
 constexpr float kFingerStillPx = 4.0F;
 
@@ -30,7 +30,7 @@ dvec3 place(vec2 px) {
 
 }  // namespace
 
-// A worn spot of a touch screen presses itself, in the same place; visitors press here and there.
+// A worn spot of a touch screen presses itself, always in the same place; visitors press in several places.
 KioskPointer::KioskPointer()
     : mouse_(kLifePx),
       finger_(kFingerStillPx),
@@ -140,7 +140,7 @@ bool KioskPointer::is_pressed(const window::KeyEvent& key, double now_s) {
 void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news) {
     using window::Key;
     if (!is_pressed(key, now_s)) return;
-    // A press is reported as such, without kLife, which could close the panel it is meant for.
+    // A press is not reported as kLife, which could close the panel that it is meant for.
     const bool takes =
         key.key == Key::kF1 || ((key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0);
     if (!takes && !key.repeat) news.push_back({.kind = Kind::kLife, .value = 1});
@@ -230,7 +230,7 @@ void KioskPointer::handle_pointer(const window::PointerEvent& pointer, double no
     }
     at_px_ = vec2(pointer.x_px, pointer.y_px);
     if (!in_corner(at_px_)) corner_s_.reset();
-    // A new window reports the place of a resting mouse.
+    // The first position is no motion: a new window reports the place of a resting mouse.
     if (mouse_.moved_to(place(at_px_), 0.0)) {
         if (now_s - leapt_s_ < kOnItsWayS && !life_s_) life_s_ = now_s + kLandingS;
         leapt_s_ = now_s;

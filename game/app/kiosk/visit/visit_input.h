@@ -44,8 +44,8 @@ class VisitInput {
     void lead_by_keys() { keys_lead_ = true; }
     // Whether a mouse without a pressed button has moved recently.
     [[nodiscard]] bool hovers(double now_s) const;
-    // Somebody has changed something a moment ago at whatever has the tool. What touches the clay without
-    // that is a stick that leans, or a finger that nobody lifts.
+    // Whether a person has just changed a control of the device that has the tool. Without that, a touch of
+    // the clay comes from a leaning stick or from a stuck touch.
     [[nodiscard]] bool holder_lives(double now_s) const;
     // The names of devices and controls that do not come to rest.
     [[nodiscard]] const std::vector<std::string>& restless() const { return restless_; }
@@ -59,7 +59,7 @@ class VisitInput {
     bool pick_up(vec2 px);
     void take_devices(double now_s);
     void take_gamepads(const VisitMoment& moment);
-    void help_along();  // draws a finger to the outline that is shown
+    void help_along();  // attracts the finger to the shown outline
     void name_restless(double now_s);
 
     const VisitParts& parts_;
@@ -73,12 +73,12 @@ class VisitInput {
     double hovered_s_ = -1e9;  // time of the last mouse motion without a button
     bool keys_lead_ = false;
     bool had_device_ = false;
-    std::string holder_;  // the device that has the tool
+    std::string holder_;  // the device with the tool
     double device_lived_s_ = -1e9;
     double finger_lived_s_ = -1e9;  // pointer, keys and gamepads
     std::vector<std::string> restless_;
-    std::vector<std::string> named_;  // those that the journal has named
-    std::optional<int> helped_;       // along the outline of which target, and how far the lesson had come
+    std::vector<std::string> named_;  // those already named in the journal
+    std::optional<int> helped_;       // the target of the shown outline and the lesson's progress
     int helped_steps_ = 0;
     kiosk::JarStep helped_jar_ = kiosk::JarStep::kNone;
     bool full_screen_ = false;

@@ -137,7 +137,7 @@ void VisitWheel::rearm_force() {
 
 void VisitWheel::take_clay(const haptic::Snapshot& snapshot, bool holder_lives) {
     const bool touches = snapshot.result.forces.contacts > 0;
-    // Who has a hand control in the hand need not find the screen: touching the clay is choosing.
+    // A visitor with a device chooses free throwing by touching the clay, without the screen.
     if (open_finger(flow_.state()) == Finger::kLooks && touches && holder_lives &&
         !parts_.devices.holder().empty()) {
         flow_.dispatch(event::ClayTouched{});

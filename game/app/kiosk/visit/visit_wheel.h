@@ -85,7 +85,7 @@ class VisitWheel {
     // Ends the demonstrations: the clay is a visitor's.
     void end_shows() { demo_runs_ = false; }
 
-    // What clay and force tell the visit.
+    // Dispatches the events of clay and forces.
     void take_clay(const haptic::Snapshot& snapshot, bool holder_lives);
     void take_fault(const VisitMoment& moment);
     // Moves the hand and its tool.
