@@ -36,6 +36,7 @@ constexpr int kHeight = 180;
 // that may be late.
 constexpr double kThrewOnS = 2.5;
 constexpr double kSettleS = 0.6;    // from a screen to the first press that it accepts
+constexpr double kStepS = 0.05;     // between two of a finger's 30 places
 constexpr double kStartS = 3.0;     // from the launch to the attract screen, and on
 constexpr double kPortraitS = 1.0;  // from the request to keep a pot to its folder
 constexpr double kFileS = 0.004;    // from one of its files to the next, for those that are computed quickly
@@ -167,7 +168,7 @@ class Life {
   private:
     // Whether that many lesson steps are done, by the title, a moment after the hand has left.
     bool has_done(int steps) {
-        pause_s(0.3);
+        pause_s(0.3 * test::slowness());
         return !said_by(fmt::format("xdotool search --name '^Onggi - throw - [{}-3] of 3'", steps)).empty();
     }
     // Moves from the first position to the last and stays there; radius and height in mm, through the camera.
@@ -187,13 +188,14 @@ class Life {
         constexpr int kSteps = 30;
         for (int step = 1; step <= kSteps; ++step) {
             const dvec2 at = glm::mix(way_px.front(), way_px.back(), static_cast<double>(step) / kSteps);
-            moves += fmt::format(" mousemove {:.0f} {:.0f} sleep 0.05", at.x, at.y);
+            moves +=
+                fmt::format(" mousemove {:.0f} {:.0f} sleep {:.2f}", at.x, at.y, kStepS * test::slowness());
         }
         said_by(moves);
     }
     static void stroke(const std::vector<dvec2>& way_mm) {
         lay_finger(way_mm);
-        pause_s(0.4);
+        pause_s(0.4 * test::slowness());
         said_by("xdotool mouseup 1");
     }
 
