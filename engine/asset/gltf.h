@@ -1,5 +1,6 @@
 // Writes glTF 2.0 in its binary form, GLB (ISO/IEC 12113). Any thread; returns bytes and touches no file:
-// tinygltf 2.7 reports success for a file that it could not open (findings/), so engine/files writes the bytes.
+// tinygltf 2.7 reports success for a file that it could not open (findings/), so engine/files writes the
+// bytes.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // At each allocation of an action of the kiosk, memory runs short, once or for good: the action is done all
 // the same, or fails with an error, or ends the program in one line with exit code 3; never a crash. Then the
 // checks of every_write_test.cpp hold, and a pot that is kept is the same to the byte as without a shortage.
-// ONGGI_EVERY_FAULT=1 tries every allocation both ways; without it the first sixty of each action are tried, and
-// two dozen more, evenly spread.
+// ONGGI_EVERY_FAULT=1 tries every allocation both ways; without it the first sixty of each action are tried,
+// and two dozen more, evenly spread.
 #include <fcntl.h>
 
 #include <cstdio>
@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every allocation up to kFirst, then kMostRuns more of an action. The actions of threads paint pictures, which
-// takes longer.
+// Every allocation up to kFirst, then kMostRuns more of an action. The actions of threads paint pictures,
+// which takes longer.
 constexpr long kFirst = 60;
 constexpr long kMostRuns = 24;
 constexpr long kMostRunsOfThreads = 12;
