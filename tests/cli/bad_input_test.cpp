@@ -133,7 +133,7 @@ TEST(ABadSession, IsRefusedWithTheOffset) {
         {older,
          "byte 8: expected a session of version 2.1, found 1.0, recorded before hands could let go: record "
          "it "
-         "anew"},
+         "again"},
         {wrong_size, "byte 68: expected the checksum"},
         {whole + "more", "byte " + std::to_string(whole.size()) + ": expected the end of the file"},
     };
