@@ -56,7 +56,7 @@ void read_wall(std::string_view text) {
 }
 
 void read_jar(std::string_view text) {
-    static const haptic::HapticState lump{clay::StudioClay({.mass_g = 100.0, .rings = 100})};
+    static const haptic::HapticState lump{clay::StudioClay({.mass_g = 100.0, .rings = clay::kFewestRings})};
     static const haptic::HapticParameters parameters;
     put("jar.json", text);
     app::JarKeeping jar(folder(), lump, parameters);
