@@ -6,12 +6,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 onggi=$1
-rm -rf "$2"
-mkdir -p "$2"
-cd "$2"
-kiosk=
-server=
-trap 'kill -KILL $kiosk $server 2>/dev/null || true' EXIT
+work_in "$2"
 
 # geometry: the window's place and size, as "X,Y WIDTHxHEIGHT".
 geometry() {

@@ -5,12 +5,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
 onggi=$1
-rm -rf "$2"
-mkdir -p "$2"
-cd "$2"
-kiosk=
-server=
-trap 'kill -KILL $kiosk $server 2>/dev/null || true' EXIT
+work_in "$2"
 open_display . 640x360
 listen_for_life
 "${as_usual[@]}" "$onggi" kiosk --size 640x360 --device mouse --volume 0 --gallery gallery >>kiosk.log 2>&1 &

@@ -9,6 +9,16 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # A program without a sign of life and without output for this long hangs.
 silence_s=$(scaled 60)
 
+# work_in FOLDER: makes the folder empty and current. `kiosk` and `server` are killed when the script ends.
+work_in() {
+    rm -rf "$1"
+    mkdir -p "$1"
+    cd "$1"
+    kiosk=
+    server=
+    trap 'kill -KILL $kiosk $server 2>/dev/null || true' EXIT
+}
+
 # listen_for_life: records the signs of life of every program started from here on, one byte each in ./signs.
 listen_for_life() {
     touch kiosk.log signs manager
