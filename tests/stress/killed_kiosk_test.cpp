@@ -256,7 +256,8 @@ class RealKiosk : public testing::Test {
         }
         settle();
         if (moment == Moment::kSaving) {
-            ASSERT_TRUE(life.throw_a_pot()) << life.program().printed();
+            ASSERT_TRUE(life.throw_a_pot())
+                << said_by("xdotool search --name '^Onggi' getwindowname") << life.program().printed();
             return go_on_to_save(life);
         }
         life.press_in();
