@@ -26,7 +26,8 @@ open_installed() {
     in_root install -d -o onggi -g onggi -m 0700 /run/onggi
     owner=$(in_root id -u onggi)
     chown "$owner" .
-    (as_service WLR_BACKENDS=headless WLR_LIBINPUT_NO_DEVICES=1 WLR_RENDERER=pixman /usr/lib/onggi/kiosk start) >>kiosk.log 2>&1 &
+    (as_service NOTIFY_SOCKET="$NOTIFY_SOCKET" WATCHDOG_USEC="$WATCHDOG_USEC" WLR_BACKENDS=headless \
+        WLR_LIBINPUT_NO_DEVICES=1 WLR_RENDERER=pixman /usr/lib/onggi/kiosk start) >>kiosk.log 2>&1 &
     kiosk=$!
     ln -sfn "$root/var/lib/onggi/gallery" gallery
     wait_for "display" has_display
