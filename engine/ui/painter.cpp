@@ -329,7 +329,7 @@ void keep_korean_words_whole(PangoAttrList* attributes, const std::string& words
         }
         if (letter == 0) return;
         has_hangul = false;
-        word = at + 1;
+        word = g_utf8_next_char(at);
     }
 }
 
