@@ -98,7 +98,7 @@ void add_wifi(Page& page, const Rect& card, const PhoneWay& way) {
     constexpr float kStep = 34.0F;
     const bool has_all = has_room(page, card, *way.wifi, kTitle + kName + kStep);
     const float lines = kTitle + kName + (has_all ? kStep : 0.0F);
-    page.words(line_below(card, card.y, kTitle), strong(page.t("home.w1")));
+    page.words(line_below(card, card.y + 3.0F, kTitle), strong(page.t("home.w1")));
     const float y = add_code(page, *way.wifi, {card.centre().x, card.y + kTitle},
                              std::min(card.width, card.height - lines))
                         .bottom();

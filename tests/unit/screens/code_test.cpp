@@ -80,9 +80,11 @@ TEST(PhoneCodes, HaveAQuietZoneOfFourModules) {
     PaintingStore store(painter);
     for (const CodePanel& panel : {CodePanel{1280, 720, 24.0, 60.0}, CodePanel{720, 1280, 24.0, 60.0},
                                    CodePanel{1280, 720, 15.6, 45.0}, CodePanel{1280, 1024, 19.0, 55.0}}) {
-        for (const SampleView& sample : sample_views({panel.width_px, panel.height_px, "ko", 1})) {
-            if (sample.name == "home-ready" || sample.name == "home-wifi")
-                expect_a_code(panel, sample, painter, store);
+        for (const char* language : {"ko", "ar"}) {
+            for (const SampleView& sample : sample_views({panel.width_px, panel.height_px, language, 1})) {
+                if (sample.name == "home-ready" || sample.name == "home-wifi")
+                    expect_a_code(panel, sample, painter, store);
+            }
         }
     }
 }
