@@ -1,5 +1,5 @@
-// The codes for phones, in the pixels of the screen. zbarimg reads a code that touches its surroundings
-// (findings/zbarimg-reads-a-code-without-quiet-zone.sh), where phones may fail.
+// The codes for phones, in the pixels of the screen. zbarimg cannot guard their margin
+// (findings/zbarimg-reads-a-code-in-a-quarter-of-its-quiet-zone.sh).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
