@@ -10,7 +10,7 @@
 #   in cage: Wayland; without WAYLAND_DISPLAY: Wayland; with the hint: X11
 set -euo pipefail
 [ "$(id -u)" -eq 0 ] || { echo "expected root, found $(id -un)"; exit 1; }
-[ -n "${IN_NAMESPACE:-}" ] || IN_NAMESPACE=1 exec unshare --mount bash "$0"
+[ -n "${IN_NAMESPACE:-}" ] || IN_NAMESPACE=1 exec unshare --mount --propagation unchanged bash "$0"
 folder=$(mktemp -d)
 trap 'umount -R "$folder/root/dev" 2>/dev/null || true; rm -rf --one-file-system "$folder"' EXIT
 cd "$folder"

@@ -432,9 +432,8 @@ std::string key_of(const Text& text) {
 constexpr std::size_t kMostRemembered = 4096;
 
 // All text is measured at this glyph size: for each new size Pango makes fontconfig sort the machine's fonts
-// (findings/pango-sorts-all-fonts-again-for-each-new-size.sh),
-// and a search for the largest size that fits tries many. The extra half of a Pango unit compensates for
-// truncation.
+// (findings/pango-sorts-all-fonts-again-for-each-new-size.sh), and a search for the largest size that fits
+// tries many. The extra half of a Pango unit compensates for truncation.
 constexpr float kMeasuredPx = 64.0F + 0.5F / PANGO_SCALE;
 
 thread_local std::uint64_t work_done = 0;
