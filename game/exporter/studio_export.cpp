@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "game/exporter/pot_solid.h"
-
 namespace onggi::exporter {
 namespace {
 
@@ -91,6 +89,13 @@ std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, Firing stage)
             {"ledger_trimmings_mm3", ledger.trimmings_mm3},
             {"ledger_slip_mm3", ledger.slip_mm3},
             {"ledger_error_mm3", clay.ledger_error_mm3()}};
+}
+
+Result<PotSolid> viewed_solid(const clay::StudioClay& clay, Firing stage) {
+    return build_pot_solid(rings_of(clay.rings()), {.shrinkage = clay::shrunk_scale(clay.lump().body, stage),
+                                                    .most_triangles = kMaxSharedTriangles,
+                                                    .unwraps = true,
+                                                    .is_glazed = stage == Firing::kGlaze});
 }
 
 Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage) {

@@ -32,6 +32,18 @@ bool is_edge(const SurfaceRow& before, const SurfaceRow& row, const SurfaceRow& 
     return false;
 }
 
+// The row on the straight surface between two others.
+SurfaceRow between(const SurfaceRow& from, const SurfaceRow& to, double fraction) {
+    SurfaceRow row{.y_mm = glm::mix(from.y_mm, to.y_mm, fraction),
+                   .radius_mm = glm::mix(from.radius_mm, to.radius_mm, fraction),
+                   .centre_mm = glm::mix(from.centre_mm, to.centre_mm, fraction),
+                   .inside = fraction < 0.5 ? from.inside : to.inside,
+                   .dents_mm = from.dents_mm};
+    for (std::size_t k = 0; k < row.dents_mm.size(); ++k)
+        row.dents_mm[k] = glm::mix(from.dents_mm[k], to.dents_mm[k], fraction);
+    return row;
+}
+
 // Gap between two walks in the pictures, so that they do not bleed into each other.
 constexpr double kBetweenWalksMm = 3.0;
 
@@ -60,6 +72,39 @@ std::vector<dvec2> unit_circle(int n) {
 
 double distance_mm(const SurfaceRow& a, const SurfaceRow& b) {
     return std::hypot(b.radius_mm - a.radius_mm, b.y_mm - a.y_mm);
+}
+
+Walk rounded(const Walk& walk, const Rounding& rounding, int corners) {
+    const std::vector<SurfaceRow>& rows = walk.rows;
+    const std::vector<dvec2> circle = unit_circle(corners);
+    const auto is_edge_at = [&](std::size_t i) {
+        if (i == 0 || i + 1 == rows.size()) return !walk.meets_itself;
+        return is_edge(rows[i - 1], rows[i], rows[i + 1], circle);
+    };
+    const auto distance_from = [&](double length_mm) {
+        const double distance = std::min(rounding.within_mm, length_mm / 3.0);
+        return distance < rounding.apart_mm ? 0.0 : distance;
+    };
+    const auto in_disc = [&](const SurfaceRow& rim) {
+        SurfaceRow row = rim;
+        row.radius_mm -= distance_from(rim.radius_mm);
+        return row;
+    };
+    Walk out{.meets_itself = walk.meets_itself, .is_smooth = true};
+    const bool has_discs = !walk.meets_itself && rows.size() > 1;
+    if (has_discs && distance_from(rows.front().radius_mm) > 0.0) out.rows.push_back(in_disc(rows.front()));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        out.rows.push_back(rows[i]);
+        if (i + 1 == rows.size()) break;
+        const double length_mm = distance_mm(rows[i], rows[i + 1]);
+        const double from_edge_mm = distance_from(length_mm);
+        if (from_edge_mm <= 0.0) continue;
+        const double fraction = from_edge_mm / length_mm;
+        if (is_edge_at(i)) out.rows.push_back(between(rows[i], rows[i + 1], fraction));
+        if (is_edge_at(i + 1)) out.rows.push_back(between(rows[i], rows[i + 1], 1.0 - fraction));
+    }
+    if (has_discs && distance_from(rows.back().radius_mm) > 0.0) out.rows.push_back(in_disc(rows.back()));
+    return out;
 }
 
 SurfaceBuilder::SurfaceBuilder(int corners, bool unwraps)
@@ -143,7 +188,9 @@ void SurfaceBuilder::add_walk(const Walk& walk) {
         along_mm_ += distance_mm(rows[i - 1], rows[i]);
         std::uint32_t to = add_row(rows[i]);
         add_band(from, to);
-        if (i + 1 < rows.size() && is_edge(rows[i - 1], rows[i], rows[i + 1], circle_)) to = add_row(rows[i]);
+        const bool is_parted = !walk.is_smooth && i + 1 < rows.size() &&
+                               is_edge(rows[i - 1], rows[i], rows[i + 1], circle_);
+        if (is_parted) to = add_row(rows[i]);
         from = to;
     }
     if (walk.meets_itself) {

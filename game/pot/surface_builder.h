@@ -43,7 +43,18 @@ constexpr double kNarrowestOpeningMm = 0.02;
 struct Walk {
     std::vector<SurfaceRow> rows{};
     bool meets_itself = false;
+    bool is_smooth = false;  // shares the normals of its edges instead of doubling their corners
 };
+
+// The walk as a glaze covers it: smooth, with a row on either side of each edge and within each closing disc,
+// so that the normals turn near the edge only. The rows lie on the surface, `within_mm` from the edge or a
+// third of the way to the next row if that is less. No two rows come closer than apart_mm because of it.
+// Only the foot of a walk that meets itself keeps its edge.
+struct Rounding {
+    double within_mm = 0.0;
+    double apart_mm = 0.0;
+};
+[[nodiscard]] Walk rounded(const Walk& walk, const Rounding& rounding, int corners);
 
 class SurfaceBuilder {
   public:
@@ -70,7 +81,6 @@ class SurfaceBuilder {
     void finish_normals();
 
     [[nodiscard]] const std::vector<Strip>& strips() const { return strips_; }  // in the order of the walks
-    [[nodiscard]] double along_mm() const { return along_mm_; }                 // length of all walks
     // Direction of a strip's vertex about the axis, in turns from the clay's direction 0; for unwrapped
     // surfaces.
     [[nodiscard]] double turns(const Strip& strip, std::uint32_t k) const;
