@@ -105,7 +105,7 @@ Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage) {
     if (!pot) return pot.error();
     return PotFile{.content = pot_content(std::move(pot->mesh), {.name = pot_name(body, stage)},
                                           pot_extras(clay, stage)),
-                   .title = fmt::format("Onggi pot, {} {}, {:.1f} mm high", name_of(stage), name_of(body),
+                   .title = fmt::format("Onggi pot, {}, {:.1f} mm high", pot_name(body, stage),
                                         clay.height_mm() * scale),
                    .note = printing_note(clay::measure_pot(clay.rings(), body, stage).thinnest_wall_mm)};
 }
