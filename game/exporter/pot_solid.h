@@ -12,7 +12,7 @@ constexpr std::size_t kMaxTriangles = 50000;        // for printing
 constexpr std::size_t kMaxSharedTriangles = 20000;  // for viewing on a phone, with pictures
 // No two rows of a glazed solid are nearer, in the file's mm: clients draw them as hairlines.
 constexpr double kNearestGlazedRowsMm = 0.3;
-constexpr double kGlazeRoundingMm = 1.5;  // distance from an edge within which the glaze's normals turn
+constexpr double kGlazeRoundingMm = 1.2;  // from an edge to where its rounding begins
 
 constexpr double kOutsideOfPictures = 2.0 / 3.0;  // visitors decorate the outside and look at it
 

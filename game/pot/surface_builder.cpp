@@ -77,33 +77,41 @@ double distance_mm(const SurfaceRow& a, const SurfaceRow& b) {
 Walk rounded(const Walk& walk, const Rounding& rounding, int corners) {
     const std::vector<SurfaceRow>& rows = walk.rows;
     const std::vector<dvec2> circle = unit_circle(corners);
-    const auto is_edge_at = [&](std::size_t i) {
-        if (i == 0 || i + 1 == rows.size()) return !walk.meets_itself;
-        return is_edge(rows[i - 1], rows[i], rows[i + 1], circle);
+    // The row on the way from an edge to its neighbour where the rounding begins; the edge itself if it is
+    // too short.
+    const auto begin_of = [&](const SurfaceRow& edge, const SurfaceRow& neighbour) {
+        const double length_mm = distance_mm(edge, neighbour);
+        const double begin_mm = std::min(rounding.within_mm, length_mm / 3.0);
+        return begin_mm < 2.0 * rounding.apart_mm ? edge : between(edge, neighbour, begin_mm / length_mm);
     };
-    const auto distance_from = [&](double length_mm) {
-        const double distance = std::min(rounding.within_mm, length_mm / 3.0);
-        return distance < rounding.apart_mm ? 0.0 : distance;
-    };
-    const auto in_disc = [&](const SurfaceRow& rim) {
-        SurfaceRow row = rim;
-        row.radius_mm -= distance_from(rim.radius_mm);
-        return row;
+    const auto middle_of_disc = [](const SurfaceRow& rim) {
+        SurfaceRow middle = rim;
+        middle.radius_mm = 0.0;
+        return middle;
     };
     Walk out{.meets_itself = walk.meets_itself, .is_smooth = true};
-    const bool has_discs = !walk.meets_itself && rows.size() > 1;
-    if (has_discs && distance_from(rows.front().radius_mm) > 0.0) out.rows.push_back(in_disc(rows.front()));
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        out.rows.push_back(rows[i]);
-        if (i + 1 == rows.size()) break;
-        const double length_mm = distance_mm(rows[i], rows[i + 1]);
-        const double from_edge_mm = distance_from(length_mm);
-        if (from_edge_mm <= 0.0) continue;
-        const double fraction = from_edge_mm / length_mm;
-        if (is_edge_at(i)) out.rows.push_back(between(rows[i], rows[i + 1], fraction));
-        if (is_edge_at(i + 1)) out.rows.push_back(between(rows[i], rows[i + 1], 1.0 - fraction));
+        const bool is_end = i == 0 || i + 1 == rows.size();
+        const SurfaceRow before = i == 0 ? middle_of_disc(rows[i]) : rows[i - 1];
+        const SurfaceRow after = i + 1 == rows.size() ? middle_of_disc(rows[i]) : rows[i + 1];
+        const SurfaceRow from = begin_of(rows[i], before);
+        const SurfaceRow to = begin_of(rows[i], after);
+        const bool has_room = distance_mm(from, rows[i]) > 0.0 && distance_mm(to, rows[i]) > 0.0;
+        const bool is_sharp = is_end ? !walk.meets_itself : is_edge(before, rows[i], after, circle);
+        if (!is_sharp || !has_room) {
+            out.rows.push_back(rows[i]);
+            continue;
+        }
+        // A flat ring keeps the disc's normal from the parabola.
+        const auto twice = [&](const SurfaceRow& begin) { return between(rows[i], begin, 2.0); };
+        if (i == 0) out.rows.push_back(twice(from));
+        // The middle of the parabola that touches both sides.
+        out.rows.push_back(from);
+        out.rows.push_back(between(rows[i], between(from, to, 0.5), 0.5));
+        out.rows.back().inside = rows[i].inside;
+        out.rows.push_back(to);
+        if (i + 1 == rows.size()) out.rows.push_back(twice(to));
     }
-    if (has_discs && distance_from(rows.back().radius_mm) > 0.0) out.rows.push_back(in_disc(rows.back()));
     return out;
 }
 
