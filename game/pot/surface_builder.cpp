@@ -96,10 +96,14 @@ Walk rounded(const Walk& walk, const Rounding& rounding, int corners) {
         const SurfaceRow after = i + 1 == rows.size() ? middle_of_disc(rows[i]) : rows[i + 1];
         const SurfaceRow from = begin_of(rows[i], before);
         const SurfaceRow to = begin_of(rows[i], after);
-        const bool has_room = distance_mm(from, rows[i]) > 0.0 && distance_mm(to, rows[i]) > 0.0;
+        const bool has_room_before = distance_mm(from, rows[i]) > 0.0;
+        const bool has_room_after = distance_mm(to, rows[i]) > 0.0;
         const bool is_sharp = is_end ? !walk.meets_itself : is_edge(before, rows[i], after, circle);
-        if (!is_sharp || !has_room) {
+        if (!is_sharp || !has_room_before || !has_room_after) {
+            const bool in_disc = is_sharp && is_end;
+            if (in_disc && i == 0 && has_room_before) out.rows.push_back(from);
             out.rows.push_back(rows[i]);
+            if (in_disc && i > 0 && has_room_after) out.rows.push_back(to);
             continue;
         }
         // A flat ring keeps the disc's normal from the parabola.
