@@ -39,7 +39,8 @@ struct SolidOptions {
 
 // Metres, +Y up, base at y = 0, the wheel's axis at x = z = 0, the clay's direction 0 along +X. Closed by
 // position, normals outward: each edge is shared by two triangles that run it in opposite directions.
-// Vertices are doubled only at edges of the surface, in a glazed solid only round a foot without floor. A pot without an inside and a vessel are one part with V
+// Vertices are doubled only at edges of the surface, in a glazed solid only round a foot without floor. A pot
+// without an inside and a vessel are one part with V
 // - E + F = 2; clay without a floor is a tube, 0; a hollow that is closed over is a separate part inside.
 //
 // There are two approximations: faces are thinned (pot_faces.h), and a circle of radius R becomes a regular

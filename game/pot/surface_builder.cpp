@@ -200,8 +200,8 @@ void SurfaceBuilder::add_walk(const Walk& walk) {
         along_mm_ += distance_mm(rows[i - 1], rows[i]);
         std::uint32_t to = add_row(rows[i]);
         add_band(from, to);
-        const bool is_parted = !walk.is_smooth && i + 1 < rows.size() &&
-                               is_edge(rows[i - 1], rows[i], rows[i + 1], circle_);
+        const bool is_parted =
+            !walk.is_smooth && i + 1 < rows.size() && is_edge(rows[i - 1], rows[i], rows[i + 1], circle_);
         if (is_parted) to = add_row(rows[i]);
         from = to;
     }

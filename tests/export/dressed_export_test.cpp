@@ -105,15 +105,13 @@ TEST(GlazedPot, HasRoundEdgesAndNoRowsOfAHairsWidth) {
             ASSERT_LT(glm::distance(known->second, solid->mesh.normals[i]), kParted)
                 << pot.name << " " << at.y;
         }
-        const double least_mm =
-            std::min(exporter::kNearestGlazedRowsMm,
-                     exporter::thinnest_mm(exporter::rings_of(pot.clay.rings())) / 4.0 *
-                         clay::shrunk_scale(pot.clay.lump().body, clay::Firing::kGlaze));
+        const double least_mm = std::min(exporter::kNearestGlazedRowsMm,
+                                         exporter::thinnest_mm(exporter::rings_of(pot.clay.rings())) / 4.0 *
+                                             clay::shrunk_scale(pot.clay.lump().body, clay::Firing::kGlaze));
         for (std::size_t i = 1; i < solid->picture_rows.size(); ++i) {
             const exporter::PictureRow& above = solid->picture_rows[i - 1];
             const exporter::PictureRow& below = solid->picture_rows[i];
-            const double apart_mm =
-                std::hypot(above.radius_mm - below.radius_mm, above.y_mm - below.y_mm);
+            const double apart_mm = std::hypot(above.radius_mm - below.radius_mm, above.y_mm - below.y_mm);
             const bool is_same = apart_mm == 0.0;  // a disc and the wall that it closes
             ASSERT_TRUE(is_same || apart_mm >= least_mm - 1e-9) << pot.name << " " << above.y_mm;
         }
@@ -220,7 +218,8 @@ TEST(PotPictures, ShowAGlazeABareFootAndADarkInside) {
     const finish::GlazeMaterial& celadon = finish::glaze_at(0);
     const look::PotPictures pictures =
         look::bake(solid->picture_rows, rings, 1.0, look::glaze_look(celadon, 80.0F));
-    // From the top: floor 35 mm, inside 70, rim 5: 2.28 texels a mm, to row 250; the outside to row 933; foot.
+    // From the top: floor 35 mm, inside 70, rim 5: 2.28 texels a mm, to row 250; the outside to row 933;
+    // foot.
     const dvec3 wall = mean_of(pictures.base_colour, 600, 800);
     const dvec3 foot = mean_of(pictures.base_colour, 940, 1020);
     EXPECT_GT(wall.y, wall.x + 3.0) << "celadon is green";
