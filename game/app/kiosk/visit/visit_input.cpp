@@ -10,6 +10,7 @@
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/app/kiosk/visit/bench_tools.h"
 #include "game/visit/flow/step.h"
+#include "game/visit/throw/throw.h"
 
 namespace onggi::app {
 
@@ -134,7 +135,7 @@ bool VisitInput::take_drawing(const PointerNews& news) {
 bool VisitInput::pick_up(vec2 px) {
     if (open_finger(flow_.state()) != Finger::kClay) return false;
     const auto held = bench_tool_at(bench_tools(parts_, flow_.state()), px);
-    if (held) flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(kiosk::tray_place(*held))});
+    if (held) flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(visit::tray_place(*held))});
     return held.has_value();
 }
 
