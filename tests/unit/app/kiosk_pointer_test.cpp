@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "game/app/kiosk/visit/bench_tools.h"
+
 namespace onggi::app {
 namespace {
 
@@ -454,6 +456,28 @@ TEST_F(KioskPointer, AsksToCloseForEveryWayOutThatWindowsHave) {
         hand.does(way);
         EXPECT_EQ(hand.news.back().kind, Kind::kCloseAsked);
     }
+}
+
+TEST(BenchTouch, TakesTheToolThatIsTapped) {
+    BenchTouch touch;
+    touch.begin(tool::Tool::kRib, {100.0F, 200.0F});
+    EXPECT_FALSE(touch.becomes_drag({110.0F, 210.0F})) << "a finger slips a little";
+    EXPECT_EQ(touch.lift(), tool::Tool::kRib);
+    EXPECT_FALSE(touch.lift()) << "once";
+}
+
+TEST(BenchTouch, LeavesTheToolToADragAndTellsItOnce) {
+    BenchTouch touch;
+    touch.begin(tool::Tool::kWire, {100.0F, 200.0F});
+    EXPECT_TRUE(touch.becomes_drag({100.0F, 225.0F}));
+    EXPECT_FALSE(touch.becomes_drag({100.0F, 260.0F}));
+    EXPECT_FALSE(touch.lift());
+}
+
+TEST(BenchTouch, IsNoneWhereNoToolWasTouched) {
+    BenchTouch touch;
+    EXPECT_FALSE(touch.becomes_drag({500.0F, 500.0F}));
+    EXPECT_FALSE(touch.lift());
 }
 
 }  // namespace

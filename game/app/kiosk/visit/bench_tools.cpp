@@ -1,5 +1,7 @@
 #include "game/app/kiosk/visit/bench_tools.h"
 
+#include <utility>
+
 #include "game/screens/page/layout.h"
 
 namespace onggi::app {
@@ -29,6 +31,18 @@ std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk
             if (px) tools.push_back({tool.tool, glm::round(vec2(*px)), tool.target_u * px_per_u});
         });
     return tools;
+}
+
+bool BenchTouch::becomes_drag(vec2 px) {
+    constexpr float kTapPx = 24.0F;  // a finger that taps slips by less
+    if (!touch_ || glm::distance(px, touch_->from_px) < kTapPx) return false;
+    touch_.reset();
+    return true;
+}
+
+std::optional<tool::Tool> BenchTouch::lift() {
+    const auto touch = std::exchange(touch_, std::nullopt);
+    return touch ? std::optional(touch->tool) : std::nullopt;
 }
 
 std::optional<tool::Tool> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px) {
