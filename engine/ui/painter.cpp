@@ -330,7 +330,7 @@ void keep_korean_words_whole(PangoAttrList* attributes, const std::string& words
         }
         if (letter == 0) return;
         has_hangul = false;
-        word = g_utf8_next_char(at);
+        word = g_utf8_find_next_char(at, nullptr);
     }
 }
 
