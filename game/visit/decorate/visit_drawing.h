@@ -12,6 +12,7 @@
 #include "game/look/lathe_marks.h"
 #include "game/pot/pot.h"
 #include "game/visit/flow/visit_flow.h"
+#include "game/wheel/live_view.h"
 #include "game/wheel/wheel_scene.h"
 
 namespace onggi::visit {
