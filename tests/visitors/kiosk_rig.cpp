@@ -78,7 +78,7 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     for (const app::PointerNews& news : all) {
         const auto tool = bench_tool_at(place_at(news.at_px));
         const bool begins_on_bench = news.kind == Kind::kFingerDown && tool;
-        if (begins_on_bench) bench_.begin(*tool, news.at_px);
+        if (begins_on_bench) bench_.begin(*tool, news.at_px, app::kTapU);
         const bool becomes_drag = news.kind == Kind::kFingerMoved && bench_.becomes_drag(news.at_px);
         if ((news.kind == Kind::kFingerDown && !begins_on_bench) || becomes_drag) {
             dispatch(kiosk::event::ClayTouched{});

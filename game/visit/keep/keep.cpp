@@ -42,7 +42,7 @@ bool has_room(const Page& page, const Rect& card, const PhoneCode& code, float l
 Rect add_code(Page& page, const PhoneCode& code, vec2 top_middle, float room) {
     const auto modules = static_cast<float>(code.side);
     const float px_per_u = page.px_per_u();
-    const float most = room * room / with_quiet_zone(code, room);
+    const float most = room / with_quiet_zone(code, 1.0F);
     const float wanted = std::min(std::max(kCodeSide, least_code(page)), most);
     const bool is_least = wanted > kCodeSide;  // then rounds up if the result fits
     const float exact = wanted * px_per_u / modules;

@@ -460,7 +460,7 @@ TEST_F(KioskPointer, AsksToCloseForEveryWayOutThatWindowsHave) {
 
 TEST(BenchTouch, TakesTheToolThatIsTapped) {
     BenchTouch touch;
-    touch.begin(tool::Tool::kRib, {100.0F, 200.0F});
+    touch.begin(tool::Tool::kRib, {100.0F, 200.0F}, 24.0F);
     EXPECT_FALSE(touch.becomes_drag({110.0F, 210.0F})) << "a finger slips a little";
     EXPECT_EQ(touch.lift(), tool::Tool::kRib);
     EXPECT_FALSE(touch.lift()) << "once";
@@ -468,9 +468,10 @@ TEST(BenchTouch, TakesTheToolThatIsTapped) {
 
 TEST(BenchTouch, LeavesTheToolToADragAndTellsItOnce) {
     BenchTouch touch;
-    touch.begin(tool::Tool::kWire, {100.0F, 200.0F});
-    EXPECT_TRUE(touch.becomes_drag({100.0F, 225.0F}));
-    EXPECT_FALSE(touch.becomes_drag({100.0F, 260.0F}));
+    touch.begin(tool::Tool::kWire, {100.0F, 200.0F}, 72.0F);
+    EXPECT_FALSE(touch.becomes_drag({100.0F, 225.0F})) << "a large screen has more pixels";
+    EXPECT_TRUE(touch.becomes_drag({100.0F, 275.0F}));
+    EXPECT_FALSE(touch.becomes_drag({100.0F, 290.0F}));
     EXPECT_FALSE(touch.lift());
 }
 

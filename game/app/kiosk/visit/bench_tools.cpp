@@ -34,8 +34,7 @@ std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk
 }
 
 bool BenchTouch::becomes_drag(vec2 px) {
-    constexpr float kTapPx = 24.0F;  // a finger that taps slips by less
-    if (!touch_ || glm::distance(px, touch_->from_px) < kTapPx) return false;
+    if (!touch_ || glm::distance(px, touch_->from_px) < touch_->slip_px) return false;
     touch_.reset();
     return true;
 }

@@ -16,10 +16,14 @@ namespace onggi::app {
 // not show the bench.
 [[nodiscard]] std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk::State& state);
 
-// A touch that begins on a tool of the bench: a tap takes the tool, a drag is the hand's.
+// A finger that taps slips by less, in units of the screens.
+constexpr float kTapU = 24.0F;
+
+// A touch that begins on a tool of the bench: a tap takes the tool, a drag is the hand's. slip_px: how far a
+// tap may slip.
 class BenchTouch {
   public:
-    void begin(tool::Tool tool, vec2 px) { touch_ = Touch{tool, px}; }
+    void begin(tool::Tool tool, vec2 px, float slip_px) { touch_ = Touch{tool, px, slip_px}; }
     // Returns true once the touch has become a drag; it is then over.
     [[nodiscard]] bool becomes_drag(vec2 px);
     // The finger is lifted: the tool to take, if the touch was a tap.
@@ -29,6 +33,7 @@ class BenchTouch {
     struct Touch {
         tool::Tool tool;
         vec2 from_px;
+        float slip_px;
     };
     std::optional<Touch> touch_;
 };

@@ -8,6 +8,7 @@
 
 #include "engine/haptics/control_sense.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
+#include "game/screens/page/layout.h"
 #include "game/visit/flow/step.h"
 #include "game/visit/throw/throw.h"
 
@@ -134,7 +135,10 @@ bool VisitInput::begins_on_bench(vec2 px) {
     bench_ = {};  // a touch may have ended on another screen
     if (open_finger(flow_.state()) != Finger::kClay) return false;
     const auto tool = bench_tool_at(bench_tools(parts_, flow_.state()), px);
-    if (tool) bench_.begin(*tool, px);
+    if (tool) {
+        const float px_per_u = screens::px_per_u_of(parts_.view.width(), parts_.view.height());
+        bench_.begin(*tool, px, kTapU * px_per_u);
+    }
     return tool.has_value();
 }
 
