@@ -14,7 +14,7 @@ set -euo pipefail
 folder=$(mktemp -d)
 trap 'umount -R "$folder/root/dev" 2>/dev/null || true; rm -rf --one-file-system "$folder"' EXIT
 cd "$folder"
-mmdebstrap --quiet --variant=apt --include=cage,xwayland,libglfw3,libgl1-mesa-dri trixie root http://deb.debian.org/debian
+mmdebstrap --quiet --variant=apt --include=cage,xwayland,libglfw3,libgl1-mesa-dri trixie root
 chroot root dpkg-query -W -f '${Package} ${Version}\n' libglfw3 cage | tr '\n' ' '
 cat >platform.c <<'CODE'
 #include <stdio.h>

@@ -20,7 +20,8 @@ cat >place.c <<'CODE'
 #include <GLFW/glfw3.h>
 #include <stdio.h>
 #include <stdlib.h>
-// What a larger program leaves on the stack, from which GLFW takes the coordinates; zeroes would hide them.
+// What a larger program leaves on the stack, from which GLFW takes the coordinates; zeroes would hide them, as they do
+// in the locale C.
 static void leave_marks(void) {
     volatile unsigned char marks[65536];
     for (unsigned i = 0; i < sizeof marks; ++i) marks[i] = 0x55;
@@ -55,7 +56,7 @@ place_on() {
         kill -0 "$server"
         sleep 0.1
     done
-    DISPLAY=:$(cat display) LD_LIBRARY_PATH=$libraries ./place
+    DISPLAY=:$(cat display) LC_ALL=C.UTF-8 LD_LIBRARY_PATH=$libraries ./place
     kill "$server"
 }
 saw="with RandR: $(place_on -extension DOUBLE-BUFFER); without: $(place_on -extension RANDR)"
