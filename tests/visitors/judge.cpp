@@ -17,8 +17,54 @@ constexpr double kThinnestMm = 2.5;
 constexpr double kSteepest = 2.0;
 constexpr double kMostSteep = 0.1;
 
+// A good pot.
+constexpr double kGoodMl = 150.0;
+constexpr double kGoodFromMm = 6.0;  // above the floor
+constexpr double kGoodThickestMm = 15.0;
+constexpr double kGoodMeanMm = 10.0;
+constexpr double kHollowMm = 8.0;
+
 double outer_at(const clay::studio::Rings& rings, double y) {
     return rings.outer_mm[clay::studio::Rings::at(rings.ring_at(y))];
+}
+
+double middle_at(const clay::studio::Rings& rings, double y) {
+    const std::size_t at = clay::studio::Rings::at(rings.ring_at(y));
+    return 0.5 * (rings.outer_mm[at] + rings.inner_mm[at]);
+}
+
+// Measures the wall across its lean, every half millimetre.
+void measure_wall(const clay::StudioClay& clay, Verdict& verdict) {
+    constexpr double kStepMm = 0.5;
+    constexpr double kSlopeMm = 2.0;  // to either side
+    const clay::studio::Rings& rings = clay.rings();
+    const double floor = clay.floor_mm();
+    const double top = clay.height_mm();
+    double sum = 0.0;
+    int count = 0;
+    verdict.thinnest_up_mm = 1e9;
+    for (double y = floor + kGoodFromMm; y < top; y += kStepMm) {
+        const double low = std::max(y - kSlopeMm, floor + 0.5);
+        const double high = std::min(y + kSlopeMm, top - 0.01);
+        const double slope = (middle_at(rings, high) - middle_at(rings, low)) / std::max(high - low, 0.1);
+        const double wall = rings.wall_mm(rings.ring_at(y)) / std::sqrt(1.0 + slope * slope);
+        verdict.thickest_up_mm = std::max(verdict.thickest_up_mm, wall);
+        verdict.thinnest_up_mm = std::min(verdict.thinnest_up_mm, wall);
+        sum += wall;
+        ++count;
+    }
+    verdict.mean_wall_mm = count > 0 ? sum / count : 0.0;
+    if (top - floor <= kHollowMm || count == 0)
+        verdict.why_not_good = "is solid";
+    else if (verdict.capacity_ml < kGoodMl)
+        verdict.why_not_good = fmt::format("holds {:.0f} ml", verdict.capacity_ml);
+    else if (verdict.thickest_up_mm > kGoodThickestMm)
+        verdict.why_not_good = fmt::format("has {:.1f} mm of wall", verdict.thickest_up_mm);
+    else if (verdict.mean_wall_mm > kGoodMeanMm)
+        verdict.why_not_good = fmt::format("has {:.1f} mm of wall in the mean", verdict.mean_wall_mm);
+    else if (verdict.thinnest_up_mm < kThinnestMm)
+        verdict.why_not_good = fmt::format("is {:.1f} mm thin", verdict.thinnest_up_mm);
+    verdict.is_good = verdict.why_not_good.empty();
 }
 
 }  // namespace
@@ -60,6 +106,7 @@ Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn) {
     else if (verdict.steep_fraction > kMostSteep)
         verdict.why_not = fmt::format("leans on {:.0f} % of its height", 100.0 * verdict.steep_fraction);
     verdict.is_pot = verdict.why_not.empty();
+    measure_wall(clay, verdict);
     return verdict;
 }
 

@@ -1,6 +1,11 @@
 #include "tests/visitors/kiosk_rig.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <variant>
+
+#include "game/visit/flow/flow.h"
 
 namespace onggi::visitors {
 namespace {
@@ -8,7 +13,24 @@ namespace {
 constexpr double kRateHz = 1000.0;
 constexpr double kPxPerMm = 10.0 / 4.8;
 constexpr dvec2 kAxisFootPx{640.0, 450.0};
-constexpr app::HeldTool kHeld;
+
+// The tools on the photographed room's bench: middle and half size on the clay's plane, mm.
+struct BenchPlace {
+    tool::Tool tool;
+    dvec2 middle_mm;
+    dvec2 half_mm;
+};
+constexpr std::array kBench{BenchPlace{tool::Tool::kSponge, {310.0, -60.0}, {27.0, 22.0}},
+                            BenchPlace{tool::Tool::kWire, {-300.0, -15.0}, {60.0, 19.0}},
+                            BenchPlace{tool::Tool::kRib, {262.0, -5.0}, {19.0, 31.0}}};
+
+std::optional<tool::Tool> bench_tool_at(const dvec3& place_mm) {
+    for (const BenchPlace& lies : kBench) {
+        const dvec2 off = glm::abs(dvec2(place_mm) - lies.middle_mm);
+        if (off.x < lies.half_mm.x && off.y < lies.half_mm.y) return lies.tool;
+    }
+    return std::nullopt;
+}
 
 dvec2 px_of(const dvec2& place_mm) {
     return {kAxisFootPx.x + place_mm.x * kPxPerMm, kAxisFootPx.y - place_mm.y * kPxPerMm};
@@ -28,9 +50,11 @@ haptic::HapticParameters kiosk_parameters() {
 }  // namespace
 
 KioskRig::KioskRig(double mass_g)
-    : parameters_(kiosk_parameters()),
+    : visit_(visit::first_state(rules_, 0.0)),
+      parameters_(kiosk_parameters()),
       state_(clay::StudioClay({.mass_g = mass_g})),
       shape_(haptic::pot_of(state_)) {
+    visit_.screen = kiosk::Screen::kThrow;
     // The wheel comes up to speed while the visitor looks.
     for (int i = 0; i < 60; ++i)
         frame({170.0, 120.0}, false);
@@ -51,19 +75,46 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     was_pressed_ = pressed;
     pointer_.pass_time(now_s_, all);
     for (const app::PointerNews& news : all) {
-        if (news.kind == Kind::kFingerDown) finger_.press(place_at(news.at_px));
-        if (news.kind == Kind::kFingerMoved) finger_.drag(place_at(news.at_px));
+        const bool takes = news.kind == Kind::kFingerDown && bench_tool_at(place_at(news.at_px));
+        if (takes) take_bench(news);
+        if (news.kind == Kind::kFingerDown && !takes) {
+            dispatch(kiosk::event::ClayTouched{});
+            finger_.press(place_at(news.at_px));
+        }
+        if (news.kind == Kind::kFingerMoved) {
+            dispatch(kiosk::event::Input{});
+            finger_.drag(place_at(news.at_px));
+        }
         if (news.kind == Kind::kFingerUp) finger_.release();
         if (news.kind == Kind::kHovered) finger_.hover(place_at(news.at_px));
     }
+    const bool works = finger_.works() && !finger_.shows();
+    if (works != visit_.pace.held) dispatch(kiosk::event::Held{works});
+    if (visit_.throwing.shown && !finger_.shows()) dispatch(kiosk::event::ShowOver{});
+    dispatch(kiosk::event::Progress{lesson_.steps_done(shape_)});
+    dispatch(kiosk::event::Tick{});
     if (!outline_mm_.empty())
         finger_.set_outline(outline_mm_, app::outline_help_after(lesson_.steps_done(shape_)));
-    tool::ToolState tool = finger_.request(kHeld, shape_, kFrameS);
+    tool::ToolState tool = finger_.request({.tool = visit_.throwing.held}, shape_, kFrameS);
     tool.wheel_button = true;
     device_.set_target(tool);
     for (; static_cast<double>(ticks_) < now_s_ * kRateHz; ++ticks_)
         haptic::tick(state_, device_.read_tool(ticks_, 1.0 / kRateHz), parameters_);
     shape_ = haptic::pot_of(state_);
+}
+
+// Applies the effects of a demonstration; those of undo, saving and sound need the whole kiosk.
+void KioskRig::dispatch(const kiosk::Event& event) {
+    for (const kiosk::Effect& effect : visit::advance(visit_, event, now_s_, rules_)) {
+        if (const auto* show = std::get_if<kiosk::effect::ShowStep>(&effect))
+            finger_.show(show->step, shape_, 1.0);
+        if (std::holds_alternative<kiosk::effect::StopShow>(effect)) finger_.stop_showing();
+    }
+}
+
+void KioskRig::take_bench(const app::PointerNews& news) {
+    const auto held = static_cast<int>(kiosk::tray_place(*bench_tool_at(place_at(news.at_px))));
+    dispatch(kiosk::event::Pressed{kiosk::Button::kTakeTool, held});
 }
 
 void KioskRig::show_outline(const std::vector<dvec2>& outline_mm) {

@@ -1,6 +1,6 @@
-// The kiosk's wheel under a visitor's pointer: window events pass through the kiosk's pointer, hand, device
-// and tick to the clay, on a virtual clock. There is no picture; pixels map to the clay's plane as on a
-// screen 1280 wide.
+// The kiosk's wheel under a visitor's pointer: window events pass through the kiosk's pointer, the flow of the
+// throwing screen, hand, device and tick to the clay, on a virtual clock. There is no picture; pixels map to
+// the clay's plane as on a screen 1280 wide, with the tools of the bench where that screen shows them.
 #pragma once
 
 #include <vector>
@@ -10,6 +10,8 @@
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/haptic/simulated_device.h"
 #include "game/haptic/tick.h"
+#include "game/kiosk/events.h"
+#include "game/kiosk/rules.h"
 #include "tests/visitors/wheel_rig.h"
 
 namespace onggi::visitors {
@@ -27,12 +29,19 @@ class KioskRig final : public WheelRig {
     [[nodiscard]] double outer_mm(double y_mm) const override;
     [[nodiscard]] double inner_mm(double y_mm) const override;
 
+    [[nodiscard]] bool shows() const override { return finger_.shows(); }
+
     [[nodiscard]] const clay::StudioClay& clay() const { return *state_.studio(); }
     // Both faces of every ring, bottom first, at the last release of the pointer.
     [[nodiscard]] const std::vector<double>& released_mm() const { return released_mm_; }
     [[nodiscard]] std::vector<double> faces_mm() const;
 
   private:
+    void dispatch(const kiosk::Event& event);
+    void take_bench(const app::PointerNews& news);
+
+    kiosk::State visit_;
+    kiosk::Rules rules_;
     app::KioskPointer pointer_;
     app::KioskFinger finger_;
     haptic::SimulatedDevice device_;

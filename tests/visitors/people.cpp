@@ -63,6 +63,8 @@ class Person {
         for (std::size_t i = 1; i < way.size(); ++i)
             along.push_back(along.back() + glm::length(way[i] - way[i - 1]) + 1e-6);
         reach(way.front() + miss_first, uniform(0.3, 0.7));
+        while (rig_.shows())
+            frame(at_, false);
         for (double t = 0.0; t < seconds; t += kFrameS) {
             // Hands start and stop softly.
             const double u = t / seconds;
@@ -79,6 +81,12 @@ class Person {
             const double swing = 2.0 * std::numbers::pi * turns * u;
             place += miss_first * (1.0 - fraction) + miss_last * fraction +
                      dvec2(std::sin(swing + phase_x), std::sin(swing + phase_y)) * skill_.wander_mm;
+            if (skill_.tremor_mm > 0.0) {
+                constexpr double kTremorHz = 5.0;
+                const double shake = 2.0 * std::numbers::pi * kTremorHz * t;
+                place += dvec2(std::sin(shake + phase_x), std::sin(1.13 * shake + phase_y)) *
+                         skill_.tremor_mm;
+            }
             frame(place, true);
         }
         released_s_ = seconds_;
@@ -306,12 +314,283 @@ void hold_still(Person& person) {
     }
 }
 
+// Draws up from the foot, as somebody does who sees that the clay is hollow.
+void draw_up(Person& person, int times, double least_s, double most_s) {
+    for (int i = 0; i < times; ++i) {
+        pull_wall(person, person.uniform(least_s, most_s));
+        person.note_progress();
+    }
+}
+
+// The lesson, slowly, with rests of up to 15 s after some of the strokes.
+void follow_slowly(Person& person, double chance_of_pause, double chance_of_lift) {
+    WheelRig& wheel = person.wheel();
+    const double start = wheel.height_mm();
+    const double foot = wheel.outer_mm(8.0);
+    const auto rest = [&] {
+        if (person.happens(chance_of_pause)) person.wait(person.uniform(4.0, 15.0));
+    };
+    person.wait(person.uniform(2.0, 5.0));
+    for (int i = 0; i < 4 && wheel.depth_mm() < 18.0; ++i) {
+        if (foot - wheel.outer_mm(8.0) > 3.0 || wheel.height_mm() > start + 6.0) break;
+        press_in(person, person.uniform(4.0, 8.0));
+        rest();
+    }
+    for (int i = 0; i < 6 && wheel.depth_mm() < 18.0; ++i) {
+        press_middle(person, person.uniform(4.0, 9.0));
+        rest();
+    }
+    const int pulls = 3 + static_cast<int>(person.uniform(0.0, 4.0));
+    for (int i = 0; i < pulls; ++i) {
+        const double top = wheel.height_mm();
+        const double y = person.uniform(0.15, 0.35) * top;
+        const double over = person.uniform(-6.0, 25.0);
+        const double rim = wheel.outer_mm(top - 2.0);
+        const dvec2 low(wheel.outer_mm(y) + person.uniform(-2.0, 4.0), y);
+        const double seconds = person.uniform(5.0, 12.0);
+        if (person.happens(chance_of_lift)) {
+            // The finger comes off half-way up, and goes on there.
+            const dvec2 middle(wheel.outer_mm(0.6 * top), 0.6 * top);
+            person.stroke({low, middle}, 0.5 * seconds);
+            person.stroke({middle, {rim, top}, {rim, top + over}}, 0.5 * seconds);
+        } else {
+            person.stroke({low, {rim, top}, {rim, top + over}}, seconds);
+        }
+        person.note_progress();
+        rest();
+    }
+}
+
+void work_at_base(Person& person) {
+    WheelRig& wheel = person.wheel();
+    person.wait(1.0);
+    const double until = person.seconds() + person.uniform(25.0, 45.0);
+    while (person.seconds() < until && wheel.depth_mm() < 18.0) {
+        const double y = person.uniform(3.0, 14.0);
+        const double r = wheel.outer_mm(y);
+        const double in = person.uniform(4.0, 12.0);
+        const double seconds = person.uniform(0.8, 3.0);
+        person.stroke({{r + person.uniform(0.0, 6.0), y}, {r - in, y}, {r, y}}, seconds);
+    }
+    if (wheel.depth_mm() < 18.0) return;
+    draw_up(person, 2 + static_cast<int>(person.uniform(0.0, 3.0)), 1.5, 4.0);
+}
+
+void pull_inside(Person& person) {
+    WheelRig& wheel = person.wheel();
+    person.wait(1.0);
+    for (int i = 0; i < 8 && wheel.depth_mm() < 18.0; ++i)
+        press_middle(person, person.uniform(1.0, 3.0));
+    const int pulls = 4 + static_cast<int>(person.uniform(0.0, 5.0));
+    for (int i = 0; i < pulls; ++i) {
+        const double top = wheel.height_mm();
+        const double mouth = wheel.inner_mm(top - 2.0);
+        const double low = wheel.floor_mm() + person.uniform(4.0, 15.0);
+        const double over = person.uniform(8.0, 50.0);
+        const double seconds = person.uniform(1.5, 4.0);
+        person.stroke({{0.6 * mouth, low}, {0.9 * mouth, top}, {mouth, top + over}}, seconds);
+        person.note_progress();
+    }
+}
+
+// Begins on the bench, right or left of the pan, or below the wheel, and drags to the clay and on.
+void start_aside(Person& person) {
+    WheelRig& wheel = person.wheel();
+    person.wait(1.0);
+    const int drags = 10 + static_cast<int>(person.uniform(0.0, 7.0));
+    for (int i = 0; i < drags; ++i) {
+        const double where = person.uniform(0.0, 3.0);
+        dvec2 from(person.uniform(150.0, 275.0), person.uniform(-30.0, 30.0));
+        if (where > 2.0) from = {person.uniform(-150.0, 150.0), person.uniform(-90.0, -40.0)};
+        const double side = from.x < 0.0 ? -1.0 : 1.0;
+        const double top = wheel.height_mm();
+        const double y = person.uniform(0.1, 0.5) * top;
+        const double seconds = person.uniform(2.0, 4.0);
+        if (wheel.depth_mm() < 18.0 && person.happens(0.5)) {
+            const double down = person.uniform(15.0, 30.0);
+            person.stroke({from, {side * 10.0, top + 10.0}, {0.0, top}, {0.0, top - down}}, seconds);
+        } else {
+            const double over = person.uniform(10.0, 50.0);
+            person.stroke({from,
+                           {side * wheel.outer_mm(y), y},
+                           {side * wheel.outer_mm(top - 2.0), top},
+                           {side * wheel.outer_mm(top - 2.0), top + over}},
+                          seconds);
+        }
+        person.note_progress();
+    }
+}
+
+std::vector<dvec2> make_plate(Person& person) {
+    WheelRig& wheel = person.wheel();
+    const double size = size_seen(wheel);
+    const double foot = size * person.uniform(50.0, 60.0);
+    const double rim = size * person.uniform(95.0, 120.0);
+    const double height = size * person.uniform(25.0, 38.0);
+    std::vector<dvec2> outline;
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double u = static_cast<double>(i) / kSteps;
+        outline.emplace_back(foot + (rim - foot) * std::sqrt(u), u * height);
+    }
+    person.wait(1.0);
+    for (int i = 0; i < 8 && wheel.depth_mm() < 14.0; ++i)
+        press_middle(person, person.uniform(1.0, 3.0));
+    for (int i = 0; i < 12; ++i) {
+        const double top = wheel.height_mm();
+        const double mouth = wheel.inner_mm(top - 2.0);
+        const double chance = person.uniform(0.0, 3.0);
+        const double seconds = person.uniform(1.5, 3.5);
+        if (chance < 1.0) {
+            person.stroke({{0.5 * mouth, std::max(top - 8.0, 14.0)}, {rim, height}}, seconds);
+        } else if (chance < 2.0) {
+            person.stroke(outline, seconds);
+        } else if (top > height + 5.0) {
+            const double r = wheel.outer_mm(top - 1.0) - 3.0;
+            person.stroke({{r, top + 2.0}, {r, height}}, seconds);
+        } else {
+            person.stroke({{wheel.outer_mm(top - 4.0), top - 4.0}, {rim, height}}, seconds);
+        }
+        person.note_progress();
+    }
+    return outline;
+}
+
+void stir(Person& person) {
+    WheelRig& wheel = person.wheel();
+    person.wait(1.0);
+    const int rounds = 3 + static_cast<int>(person.uniform(0.0, 4.0));
+    for (int i = 0; i < rounds; ++i) {
+        const double top = wheel.height_mm();
+        const double reach = person.uniform(15.0, 40.0);
+        const double deep = person.uniform(5.0, 25.0);
+        std::vector<dvec2> way;
+        const int corners = 6 + static_cast<int>(person.uniform(0.0, 10.0));
+        for (int k = 0; k < corners; ++k) {
+            const double turn = 1.6 * static_cast<double>(k);
+            way.emplace_back(reach * std::cos(turn), top - deep * (0.5 + 0.5 * std::sin(turn)));
+        }
+        person.stroke(way, person.uniform(3.0, 7.0));
+        person.note_progress();
+    }
+    draw_up(person, 1 + static_cast<int>(person.uniform(0.0, 3.0)), 1.5, 4.0);
+}
+
+void tap(Person& person) {
+    WheelRig& wheel = person.wheel();
+    person.wait(1.0);
+    const double until = person.seconds() + person.uniform(40.0, 70.0);
+    while (person.seconds() < until) {
+        const double top = wheel.height_mm();
+        const double where = person.uniform(0.0, 4.0);
+        const double up = person.uniform(0.1, 0.9);
+        dvec2 at(wheel.outer_mm(up * top), up * top);
+        if (where < 1.5) at = {0.0, top - 2.0};
+        if (where > 3.5) at = {wheel.outer_mm(top - 1.0) - 4.0, top};
+        const double slip = person.uniform(0.0, 6.0);
+        person.stroke({at, at + dvec2(0.0, where < 1.5 ? -slip : slip)}, person.uniform(0.1, 0.35));
+        person.note_progress();
+    }
+}
+
+void swipe(Person& person) {
+    WheelRig& wheel = person.wheel();
+    person.wait(1.0);
+    const int swipes = 25 + static_cast<int>(person.uniform(0.0, 20.0));
+    for (int i = 0; i < swipes; ++i) {
+        const double top = wheel.height_mm();
+        const double where = person.uniform(0.0, 4.0);
+        const double far = person.uniform(30.0, 90.0);
+        const double low = person.uniform(0.1, 0.5) * top;
+        const double r = wheel.outer_mm(low);
+        std::vector<dvec2> way{{r, low}, {r, low + far}};                             // up
+        if (where < 1.0) way = {{0.0, top + 5.0}, {0.0, top + 5.0 - far}};            // down
+        if (where > 3.0) way = {{r + 0.3 * far, low}, {r - 0.4 * far, low}};          // inward
+        if (where > 3.5) way = {{0.3 * r, top - 5.0}, {0.3 * r + far, top - 5.0}};    // outward
+        person.stroke(way, person.uniform(0.15, 0.4));
+        person.note_progress();
+    }
+}
+
+std::vector<dvec2> profile_of(Person& person) {
+    const double size = size_seen(person.wheel());
+    const double foot = size * person.uniform(34.0, 46.0);
+    const double kind = person.uniform(0.0, 3.0);
+    const double height = size * person.uniform(100.0, 150.0);
+    if (kind < 1.0) {
+        const double rim = foot + size * person.uniform(-4.0, 10.0);
+        return outline_through({{foot, 0.0}, {0.5 * (foot + rim), 0.5}, {rim, 1.0}}, height);
+    }
+    const double belly = size * person.uniform(52.0, 66.0);
+    if (kind < 2.0) {
+        const double neck = size * person.uniform(18.0, 26.0);
+        return outline_through({{foot, 0.0}, {belly, 0.35}, {neck, 0.7}, {neck + 3.0, 1.0}}, height);
+    }
+    const double mouth = size * person.uniform(26.0, 38.0);
+    return outline_through({{foot, 0.0}, {belly, 0.5}, {mouth, 1.0}}, 0.85 * height);
+}
+
+// From the foot up, or from the rim down, in the air as over the clay.
+std::vector<dvec2> trace(Person& person) {
+    const std::vector<dvec2> outline = profile_of(person);
+    const std::vector<dvec2> downward(outline.rbegin(), outline.rend());
+    person.wait(1.0);
+    const int traces = 4 + static_cast<int>(person.uniform(0.0, 4.0));
+    for (int i = 0; i < traces; ++i) {
+        const bool is_upward = person.happens(0.75);
+        person.stroke(is_upward ? outline : downward, person.uniform(2.5, 6.0));
+        person.note_progress();
+    }
+    return outline;
+}
+
+void pull_both_sides(Person& person) {
+    WheelRig& wheel = person.wheel();
+    person.wait(1.0);
+    const int pulls = 4 + static_cast<int>(person.uniform(0.0, 5.0));
+    double side = 1.0;
+    for (int i = 0; i < pulls; ++i) {
+        side = -side;
+        const double top = wheel.height_mm();
+        const double y = person.uniform(0.15, 0.35) * top;
+        const double over = person.uniform(15.0, 50.0);
+        const double rim = side * wheel.outer_mm(top - 2.0);
+        const double seconds = person.uniform(1.5, 4.0);
+        person.stroke({{side * wheel.outer_mm(y), y}, {rim, top}, {rim, top + over}}, seconds);
+        person.note_progress();
+    }
+}
+
+void stroke_downward(Person& person) {
+    WheelRig& wheel = person.wheel();
+    person.wait(1.0);
+    for (int i = 0; i < 8 && wheel.depth_mm() < 18.0; ++i)
+        press_middle(person, person.uniform(1.0, 3.0));
+    const int strokes = 4 + static_cast<int>(person.uniform(0.0, 4.0));
+    for (int i = 0; i < strokes; ++i) {
+        const double top = wheel.height_mm();
+        const double low = person.uniform(0.1, 0.3) * top;
+        const double r = wheel.outer_mm(top - 4.0);
+        const double over = person.uniform(10.0, 40.0);
+        const double seconds = person.uniform(2.0, 5.0);
+        person.stroke({{r, top - 4.0}, {wheel.outer_mm(low), low}, {r, top}, {r, top + over}}, seconds);
+        person.note_progress();
+    }
+}
+
 }  // namespace
 
 Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig,
                   const std::vector<dvec2>& shown_mm) {
-    Person person(seed * kKindCount + static_cast<std::uint64_t>(kind), skill, rig,
-                  kind == Kind::kLeftHand ? -1.0 : 1.0);
+    const auto place = static_cast<std::uint64_t>(kind);
+    // The kinds that came later, and those who follow an outline, keep the seeds of earlier populations.
+    const bool is_earlier = place < kEarlierKinds;
+    const std::uint64_t number = kind == Kind::kFollowsOutline ? seed * kEarlierKinds + kEarlierKinds
+                                 : is_earlier                  ? seed * kEarlierKinds + place
+                                                               : seed * 1000 + place;
+    Skill hand = skill;
+    if (kind == Kind::kTrembles) hand.tremor_mm = 2.5;
+    Person person(number, hand, rig, kind == Kind::kLeftHand ? -1.0 : 1.0);
     Visit visit;
     switch (kind) {
         case Kind::kLesson:
@@ -338,6 +617,42 @@ Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& r
             break;
         case Kind::kHoldsStill:
             hold_still(person);
+            break;
+        case Kind::kTrembles:
+            follow_slowly(person, 0.6, 0.5);
+            break;
+        case Kind::kWorksAtBase:
+            work_at_base(person);
+            break;
+        case Kind::kPullsInside:
+            pull_inside(person);
+            break;
+        case Kind::kStartsAside:
+            start_aside(person);
+            break;
+        case Kind::kPlate:
+            visit.drawn_mm = make_plate(person);
+            break;
+        case Kind::kStirs:
+            stir(person);
+            break;
+        case Kind::kTaps:
+            tap(person);
+            break;
+        case Kind::kSwipes:
+            swipe(person);
+            break;
+        case Kind::kTraces:
+            visit.drawn_mm = trace(person);
+            break;
+        case Kind::kSlow:
+            follow_slowly(person, 0.2, 0.0);
+            break;
+        case Kind::kBothSides:
+            pull_both_sides(person);
+            break;
+        case Kind::kDownward:
+            stroke_downward(person);
             break;
         case Kind::kFollowsOutline:
             visit.drawn_mm = draw(person, shown_mm);

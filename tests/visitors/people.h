@@ -22,17 +22,35 @@ enum class Kind {
     kScribble,        // a child, for half a minute
     kLiftsOften,      // never presses for more than half a second
     kHoldsStill,      // presses and waits
+    kTrembles,        // a slow hand with a tremor, and pauses of up to 15 s
+    kWorksAtBase,     // rubs the foot until the clay is open, then draws up
+    kPullsInside,     // opens, then draws up from inside the mouth
+    kStartsAside,     // begins every drag on the bench or among the buttons
+    kPlate,           // wants a plate: draws the clay outward and the rim down
+    kStirs,           // stirs round the middle, then draws the sides up
+    kTaps,            // taps, a tenth to a third of a second each
+    kSwipes,          // flicks, as on a telephone
+    kTraces,          // traces the profile of a bottle, a jar or a cylinder
+    kSlow,            // the lesson with the strokes of a slow, steady hand
+    kBothSides,       // draws the left and the right side up by turns
+    kDownward,        // opens, then strokes the outside from the rim down, and up again
     kFollowsOutline,  // draws the outline that is shown on the clay
 };
-constexpr int kKindCount = 9;  // number of kinds above that follow no outline
+constexpr int kKindCount = 21;      // number of kinds above that follow no outline
+constexpr int kEarlierKinds = 9;    // the first kinds, whose seeds are of that many kinds
+constexpr int kReservedFrom = 14;   // kinds from kStirs on: no value of the clay was chosen by them
 constexpr std::array<std::string_view, kKindCount + 1> kKindNames{
-    "lesson", "left hand", "top first",   "outside pull", "bowl",
-    "vase",   "scribble",  "lifts often", "holds still",  "follows an outline"};
+    "lesson",   "left hand",      "top first",    "outside pull", "bowl",
+    "vase",     "scribble",       "lifts often",  "holds still",  "trembles",
+    "at base",  "pulls inside",   "starts aside", "plate",        "stirs",
+    "taps",     "swipes",         "traces",       "slow",         "both sides",
+    "downward", "follows an outline"};
 
 // How one of them aims: standard deviations in mm. 4.8 mm are ten pixels of a screen 1280 wide.
 struct Skill {
     double aim_mm = 4.8;
     double wander_mm = 1.5;
+    double tremor_mm = 0.0;  // amplitude, at 5 Hz
 };
 
 struct Visit {

@@ -98,6 +98,27 @@ double fraction_of_pots(const std::vector<Left>& all) {
     return fraction(all, [](const Left& left) { return left.verdict.is_pot; });
 }
 
+double fraction_of_good_pots(const std::vector<Left>& all) {
+    return fraction(all, [](const Left& left) { return left.verdict.is_good; });
+}
+
+std::string row_for(Kind kind, const std::vector<Left>& all) {
+    const auto of = [&](const std::function<double(const Left&)>& value) {
+        std::vector<double> values;
+        for (const Left& left : all)
+            values.push_back(value(left));
+        return median(std::move(values));
+    };
+    return fmt::format(
+        "{:14} {:4} {:5.0f} % {:5.0f} % {:6.1f} {:6.1f} {:6.0f} {:6.0f} {:6.0f}",
+        kKindNames[static_cast<std::size_t>(kind)], all.size(), 100.0 * fraction_of_pots(all),
+        100.0 * fraction_of_good_pots(all), of([](const Left& left) { return left.verdict.mean_wall_mm; }),
+        of([](const Left& left) { return left.verdict.thickest_up_mm; }),
+        of([](const Left& left) { return left.verdict.capacity_ml; }),
+        of([](const Left& left) { return left.verdict.height_mm; }),
+        of([](const Left& left) { return left.visit.seconds; }));
+}
+
 double fraction_within_mm(const std::vector<Left>& all, double rms_mm) {
     return fraction(all, [&](const Left& left) { return left.verdict.drawn_rms_mm <= rms_mm; });
 }

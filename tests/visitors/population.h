@@ -33,6 +33,7 @@ std::vector<Left> throw_pots(const Crowd& crowd);
 
 // A fraction, 0 to 1.
 double fraction_of_pots(const std::vector<Left>& all);
+double fraction_of_good_pots(const std::vector<Left>& all);
 double fraction_within_mm(const std::vector<Left>& all, double rms_mm);
 bool all_untouched(const std::vector<Left>& all);
 double median_rms_mm(const std::vector<Left>& all);
@@ -40,6 +41,10 @@ double median_made_s(const std::vector<Left>& all);  // visitors without a pot c
 
 // One line for each failed pot, for the test's message.
 std::string words_for(const std::vector<Left>& all);
+
+// One line for the table of kinds: count, pots, good pots, and the medians of the mean
+// and the thickest wall (mm), capacity (ml), height (mm) and time (s).
+std::string row_for(Kind kind, const std::vector<Left>& all);
 
 // Writes their pots as a picture, a row a crowd, half outside and half cut, the outline they meant in white.
 void write_sheet(const std::string& path, const std::vector<std::vector<Left>>& rows);

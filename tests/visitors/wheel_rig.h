@@ -21,6 +21,9 @@ class WheelRig {
     [[nodiscard]] virtual double outer_mm(double y_mm) const = 0;
     [[nodiscard]] virtual double inner_mm(double y_mm) const = 0;  // 0: solid
 
+    // Whether the wheel's own hands demonstrate a step. Most people watch them.
+    [[nodiscard]] virtual bool shows() const { return false; }
+
     [[nodiscard]] double depth_mm() const { return height_mm() - floor_mm(); }
 };
 
