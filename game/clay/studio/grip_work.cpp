@@ -99,6 +99,13 @@ void land(GripState& state, const Rings& rings, const dvec2& finger) noexcept {
     }
 }
 
+// Whether a finger that began off the clay has come to it.
+bool is_at_clay(const Rings& rings, const dvec2& finger) noexcept {
+    constexpr double kNearMm = 6.0;
+    return finger.y < rings.top_mm() + kNearMm &&
+           std::fabs(finger.x) < outer_face_mm(rings, finger.y) + kNearMm;
+}
+
 // Smooths the finger by one step and extends the trail.
 void follow_finger(GripState& state, const dvec2& finger) noexcept {
     const dvec2 now{std::max(0.0, state.side * finger.x), finger.y};
@@ -453,6 +460,16 @@ double pull_up(Rings& rings, GripSpace& space, double rise, double largest_strai
     return risen;
 }
 
+// The rise of the rim that would leave every wall at its thinnest.
+double spare_rise(const Rings& rings) noexcept {
+    double rise = 0.0;
+    for (int i = rings.first_hollow; i < rings.count; ++i) {
+        const double thinnest = thinnest_mm(rings, rings.centre_mm(i));
+        rise += rings.height_mm[at(i)] * std::max(rings.wall_mm(i) / thinnest - 1.0, 0.0);
+    }
+    return rise;
+}
+
 // Presses the rim down by `sink`; the wall below it thickens to both sides.
 Changed press_down(Rings& rings, double sink) noexcept {
     constexpr double kZone = 0.8;  // fraction of the depth
@@ -590,6 +607,19 @@ constexpr double kStrainPerS = 2.0;
 
 // OPEN.
 constexpr double kThickFloorMm = 12.5;
+constexpr double kNarrowOpening = 0.45;  // fraction of the radius to which an opening widens by itself
+constexpr double kWideOpening = 0.6;     // the same, for Manner::kWide
+constexpr double kSinksMmS = 12.0;       // by itself, under thumbs that move
+constexpr double kWidensMmS = 25.0;
+constexpr double kThickWallMm = 16.0;    // fingers inside widen the bore of a thicker wall before they pull
+
+// PULL.
+constexpr double kTouchEndsMm = 12.0;  // over this way a touch's part of the rise runs out
+
+double opening_mm(const Rings& rings, const GripClimate& climate) {
+    const double solid = outer_face_mm(rings, 0.5 * rings.top_mm());
+    return (climate.wide ? kWideOpening : kNarrowOpening) * solid;
+}
 
 // Fraction of a thinning or widening move that the load allows.
 double load_fraction(const GripClimate& climate) {
@@ -618,20 +648,26 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double r = state.finger_mm.x;
     const double down = std::max(state.landed_mm.y - state.finger_mm.y, 0.0);
     const double aside = std::fabs(r - state.landed_mm.x);
-    const double solid = outer_face_mm(rings, 0.5 * rings.top_mm());
     // One and a half times as deep as the finger went; also sinks by itself under a finger that lies still.
     const double wanted = state.landed_top_mm - 1.5 * down;
     double sink = std::clamp(state.bottom_mm - wanted, 0.0, 45.0 * kGripStepS);
     const bool lies = state.still_s > 0.15;
-    if (lies) sink = std::max(sink, 28.0 * kGripStepS);
+    if (lies)
+        sink = std::max(sink, 28.0 * kGripStepS);
+    else if (climate.wide)
+        sink = std::max(sink, kSinksMmS * kGripStepS);
     double widest = state.bore_mm;
     double widen = 0.0;
     if (aside > 4.0) {
         widest = std::min(kThumbsMm + aside, 60.0 * climate.size);
         widen = 55.0 * kGripStepS;
-    } else if (lies) {
-        widest = 0.45 * solid;
+    } else if (lies && !climate.wide) {
+        widest = opening_mm(rings, climate);
         widen = 15.0 * kGripStepS;
+    }
+    if (climate.wide) {
+        widest = std::max(widest, opening_mm(rings, climate));
+        widen = std::max(widen, kWidensMmS * kGripStepS);
     }
     const double grant = load_fraction(climate) * climate.softness;
     deepen(state, rings, sink * climate.softness, widen * grant, widest);
@@ -643,7 +679,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
 
 // Solid clay got a touch that needs hollow clay: the other hand opens the clay.
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
-    const double widest = 0.45 * outer_face_mm(rings, 0.5 * rings.top_mm());
+    const double widest = opening_mm(rings, climate);
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);
     const bool is_open = deepen(state, rings, 60.0 * kGripStepS * climate.softness,
                                 30.0 * kGripStepS * climate.softness, widest);
@@ -703,6 +739,14 @@ Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripCl
     const double highest = kTallestPullMm * climate.size;
     double rise = std::min((y - top) * relaxed(kPullS), kPullMmS * kGripStepS * climate.softness);
     rise = std::min(rise, highest - top) * load_fraction(climate);
+    if (climate.wide) {
+        // A touch takes half of what it found: what it has risen is at most what is left.
+        const double left = spare_rise(rings) - (top - state.landed_top_mm);
+        const double part = std::clamp(left / kTouchEndsMm, 0.0, 1.0);
+        if (part < 0.3 && rise > 0.0) state.guard = GripGuard::kAsHigh;
+        if (!(part > 0.0)) return {};
+        rise *= part;
+    }
     if (!(rise > 0.0)) {
         state.guard = GripGuard::kNearLimit;
         state.is_spent = true;
@@ -774,6 +818,19 @@ Changed lower_floor(Rings& rings, double rate_mm_s) {
                              .largest_strain = 0.01});
 }
 
+// Fingers inside widen a bore that is narrow for the wall around it while the hands climb.
+Changed widen_bore(const GripState& state, Rings& rings, const GripClimate& climate) {
+    if (!(state.heading > 0.2) || !is_hollow(rings)) return {};
+    const double floor = rings.floor_mm();
+    const int low = rings.ring_at(std::min(floor + kThumbsMm, rings.top_mm()));
+    const double bore = rings.inner_mm[Rings::at(low)];
+    if (rings.wall_mm(low) < kThickWallMm || bore > opening_mm(rings, climate)) return {};
+    return open_bore(rings, {.bottom_mm = floor,
+                             .radius_mm = bore + kWidensMmS * kGripStepS * load_fraction(climate) * climate.softness,
+                             .outward = 0.0,
+                             .largest_strain = 0.01});
+}
+
 void place(Rings& rings, const Changed& changed) {
     if (changed.size() > 0) rings.place(changed.first, rings.count);
 }
@@ -784,6 +841,7 @@ Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const dvec
     state.press_mm = 0.0;
     decide(state, rings);
     if (state.grip == Grip::kOpen) return open_step(state, rings, climate);
+    if (climate.wide && state.grip == Grip::kNone && is_at_clay(rings, finger)) land(state, rings, finger);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking) {
         walk(state, 0.0, 1e9);
         return {};
@@ -818,7 +876,7 @@ Changed third_stage(GripState& state, Rings& rings, GripSpace& space, const Grip
     return pull_step(state, rings, space, climate);
 }
 
-Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space) {
+Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
     state.bears_n_mm = bearable_twist(rings, state.hand_mm.y);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking || !is_hollow(rings)) return {};
     const bool opens = state.grip == Grip::kOpen || state.opens_by_itself;
@@ -829,7 +887,10 @@ Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space) {
     if (state.hand_mm.y > rings.top_mm() - 20.0)
         changed = together(changed, soften_lip(rings, space, relaxed(0.6)));
     place(rings, changed);
-    return together(changed, lower_floor(rings, 10.0));
+    changed = together(changed, lower_floor(rings, 10.0));
+    if (!climate.wide) return changed;
+    place(rings, changed);
+    return together(changed, widen_bore(state, rings, climate));
 }
 
 }  // namespace
@@ -874,7 +935,7 @@ Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2&
                 now = third_stage(state, rings, space, climate);
                 break;
             default:
-                now = fourth_stage(state, rings, space);
+                now = fourth_stage(state, rings, space, climate);
                 break;
         }
         state.stage = (state.stage + 1) % kGripStages;
