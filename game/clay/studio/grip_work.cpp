@@ -253,7 +253,7 @@ struct Carry {
 struct Bore {
     double bottom_mm = 0.0;
     double radius_mm = 0.0;
-    double outward = 0.3;
+    double outward = 0.0;
     double largest_strain = 0.03;  // fraction of a ring's height
 };
 
@@ -608,10 +608,11 @@ constexpr double kStrainPerS = 2.0;
 // OPEN.
 constexpr double kThickFloorMm = 12.5;
 constexpr double kNarrowOpening = 0.45;  // fraction of the radius to which an opening widens by itself
-constexpr double kWideOpening = 0.6;     // the same, for Manner::kWide
+constexpr double kWideOpening = 0.7;     // the same, for Manner::kWide
+constexpr double kNarrowOutward = 0.3;   // fraction of the clay that goes to the outer face
+constexpr double kWideOutward = 0.5;
 constexpr double kSinksMmS = 12.0;       // by itself, under thumbs that move
 constexpr double kWidensMmS = 25.0;
-constexpr double kThickWallMm = 16.0;    // fingers inside widen the bore of a thicker wall before they pull
 
 // PULL.
 constexpr double kTouchEndsMm = 12.0;  // over this way a touch's part of the rise runs out
@@ -626,8 +627,10 @@ double load_fraction(const GripClimate& climate) {
     return std::clamp((kGuardedLoad - climate.load_index) / kGuardWidth, 0.0, 1.0);
 }
 
-Bore bore_of(const GripState& state) {
-    return {.bottom_mm = state.bottom_mm, .radius_mm = state.bore_mm};
+Bore bore_of(const GripState& state, const GripClimate& climate) {
+    return {.bottom_mm = state.bottom_mm,
+            .radius_mm = state.bore_mm,
+            .outward = climate.wide ? kWideOutward : kNarrowOutward};
 }
 
 // Lowers the bottom of the bore; once there, widens the bore. Returns true once both are complete.
@@ -674,7 +677,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     state.hand_mm = {std::max(state.bore_mm - kThumbsMm, 0.0), state.bottom_mm + 0.5 * kThumbsMm};
     state.press_mm = 0.5 + (sink + widen) * 0.1 / kGripStepS;
     hold(state, state.bottom_mm, rings.top_mm());
-    return open_bore(rings, bore_of(state));
+    return open_bore(rings, bore_of(state, climate));
 }
 
 // Solid clay got a touch that needs hollow clay: the other hand opens the clay.
@@ -687,7 +690,7 @@ Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climat
         state.opens_by_itself = false;
         state.landed_top_mm = rings.top_mm();
     }
-    return open_bore(rings, bore_of(state));
+    return open_bore(rings, bore_of(state, climate));
 }
 
 Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
@@ -814,20 +817,6 @@ Changed lower_floor(Rings& rings, double rate_mm_s) {
     const double bore = std::max(rings.inner_mm[Rings::at(above)], kNarrowestBoreMm);
     return open_bore(rings, {.bottom_mm = std::max(floor - rate_mm_s * kGripStepS - 0.5, kFloorMm),
                              .radius_mm = bore,
-                             .outward = 0.0,
-                             .largest_strain = 0.01});
-}
-
-// Fingers inside widen a bore that is narrow for the wall around it while the hands climb.
-Changed widen_bore(const GripState& state, Rings& rings, const GripClimate& climate) {
-    if (!(state.heading > 0.2) || !is_hollow(rings)) return {};
-    const double floor = rings.floor_mm();
-    const int low = rings.ring_at(std::min(floor + kThumbsMm, rings.top_mm()));
-    const double bore = rings.inner_mm[Rings::at(low)];
-    if (rings.wall_mm(low) < kThickWallMm || bore > opening_mm(rings, climate)) return {};
-    return open_bore(rings, {.bottom_mm = floor,
-                             .radius_mm = bore + kWidensMmS * kGripStepS * load_fraction(climate) * climate.softness,
-                             .outward = 0.0,
                              .largest_strain = 0.01});
 }
 
@@ -876,7 +865,7 @@ Changed third_stage(GripState& state, Rings& rings, GripSpace& space, const Grip
     return pull_step(state, rings, space, climate);
 }
 
-Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
+Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space) {
     state.bears_n_mm = bearable_twist(rings, state.hand_mm.y);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking || !is_hollow(rings)) return {};
     const bool opens = state.grip == Grip::kOpen || state.opens_by_itself;
@@ -887,10 +876,7 @@ Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space, const Gri
     if (state.hand_mm.y > rings.top_mm() - 20.0)
         changed = together(changed, soften_lip(rings, space, relaxed(0.6)));
     place(rings, changed);
-    changed = together(changed, lower_floor(rings, 10.0));
-    if (!climate.wide) return changed;
-    place(rings, changed);
-    return together(changed, widen_bore(state, rings, climate));
+    return together(changed, lower_floor(rings, 10.0));
 }
 
 }  // namespace
@@ -935,7 +921,7 @@ Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2&
                 now = third_stage(state, rings, space, climate);
                 break;
             default:
-                now = fourth_stage(state, rings, space, climate);
+                now = fourth_stage(state, rings, space);
                 break;
         }
         state.stage = (state.stage + 1) % kGripStages;
