@@ -12,6 +12,7 @@ struct Rules {
     double hint_again_s = 6.0;     // time without progress until the cue for the next move returns
     bool shows_by_itself = true;   // the wheel's hands demonstrate a step unasked
     double show_after_s = 8.0;     // time without progress until they do
+    double show_stuck_s = 20.0;    // the same for a visitor who does not rest
     double show_rests_s = 3.0;     // pause after a touch or a demonstration
     double show_most_s = 6.0;      // longest demonstration
     double aside_s = 6.0;          // how long the bowl that was set aside is shown

@@ -76,9 +76,11 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     was_pressed_ = pressed;
     pointer_.pass_time(now_s_, all);
     for (const app::PointerNews& news : all) {
-        const bool takes = news.kind == Kind::kFingerDown && bench_tool_at(place_at(news.at_px));
-        if (takes) take_bench(news);
-        if (news.kind == Kind::kFingerDown && !takes) {
+        const auto tool = bench_tool_at(place_at(news.at_px));
+        const bool begins_on_bench = news.kind == Kind::kFingerDown && tool;
+        if (begins_on_bench) bench_.begin(*tool, news.at_px);
+        const bool becomes_drag = news.kind == Kind::kFingerMoved && bench_.becomes_drag(news.at_px);
+        if ((news.kind == Kind::kFingerDown && !begins_on_bench) || becomes_drag) {
             dispatch(kiosk::event::ClayTouched{});
             finger_.press(place_at(news.at_px));
         }
@@ -86,7 +88,12 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
             dispatch(kiosk::event::Input{});
             finger_.drag(place_at(news.at_px));
         }
-        if (news.kind == Kind::kFingerUp) finger_.release();
+        if (news.kind == Kind::kFingerUp) {
+            finger_.release();
+            if (const auto tapped = bench_.lift())
+                dispatch(kiosk::event::Pressed{kiosk::Button::kTakeTool,
+                                               static_cast<int>(kiosk::tray_place(*tapped))});
+        }
         if (news.kind == Kind::kHovered) finger_.hover(place_at(news.at_px));
     }
     const bool works = finger_.works() && !finger_.shows();
@@ -112,11 +119,6 @@ void KioskRig::dispatch(const kiosk::Event& event) {
             finger_.show(show->step, shape_, 1.0);
         if (std::holds_alternative<kiosk::effect::StopShow>(effect)) finger_.stop_showing();
     }
-}
-
-void KioskRig::take_bench(const app::PointerNews& news) {
-    const auto held = static_cast<int>(kiosk::tray_place(*bench_tool_at(place_at(news.at_px))));
-    dispatch(kiosk::event::Pressed{kiosk::Button::kTakeTool, held});
 }
 
 void KioskRig::show_outline(const std::vector<dvec2>& outline_mm) {

@@ -8,6 +8,7 @@
 #include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/app/kiosk/finger/kiosk_pointer.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
+#include "game/app/kiosk/visit/bench_tools.h"
 #include "game/haptic/simulated_device.h"
 #include "game/haptic/tick.h"
 #include "game/kiosk/events.h"
@@ -40,11 +41,11 @@ class KioskRig final : public WheelRig {
 
   private:
     void dispatch(const kiosk::Event& event);
-    void take_bench(const app::PointerNews& news);
 
     kiosk::State visit_;
     kiosk::Rules rules_;
     app::KioskPointer pointer_;
+    app::BenchTouch bench_;
     app::KioskFinger finger_;
     haptic::SimulatedDevice device_;
     haptic::HapticParameters parameters_;

@@ -23,6 +23,10 @@ constexpr double kErrorSlowsOverMm = 10.0;
 constexpr double kSlowest = 0.12;
 constexpr double kStillMmS = 12.0;  // a slower finger counts as lying still
 
+// Fractions of the radius: so far inside the outline, a finger is on the face. Lower down it may mean the foot.
+constexpr double kOnFace = 0.3;
+constexpr double kOnFoot = 0.45;
+constexpr double kFootMm = 15.0;
 constexpr double kNarrowsTo = 0.7;  // fraction of the radius at landing
 
 double distance(const dvec2& a, const dvec2& b) {
@@ -73,7 +77,7 @@ GripOutline outline_of(const Rings& rings, double y) noexcept {
 }
 
 // Starts a touch at (x, y).
-void land(GripState& state, const Rings& rings, const dvec2& finger) noexcept {
+void land(GripState& state, const Rings& rings, const dvec2& finger, bool wide) noexcept {
     const double credit = state.credit_s;
     state = {};
     state.credit_s = credit;
@@ -91,6 +95,9 @@ void land(GripState& state, const Rings& rings, const dvec2& finger) noexcept {
     const double wall = outer_face_mm(rings, finger.y);
     state.offset_mm = wall - state.finger_mm.x;
     state.offset_way_mm = std::fabs(state.offset_mm) <= std::max(14.0, 0.6 * wall) ? 4.0 : 60.0;
+    // On the face of a hollow pot, a finger moves the wall behind it without drawing it to itself.
+    const double on_face = finger.y < kFootMm ? kOnFoot : kOnFace;
+    if (wide && is_hollow(rings) && state.offset_mm > on_face * wall) state.offset_way_mm = 1e6;
     state.bottom_mm = is_hollow(rings) ? rings.floor_mm() : top;
     state.bore_mm = kThumbsMm;
     if (state.grip == Grip::kOpen && is_hollow(rings)) {
@@ -612,7 +619,8 @@ constexpr double kWideOpening = 0.7;     // the same, for Manner::kWide
 constexpr double kNarrowOutward = 0.3;   // fraction of the clay that goes to the outer face
 constexpr double kWideOutward = 0.5;
 constexpr double kSinksMmS = 12.0;       // by itself, under thumbs that move
-constexpr double kWidensMmS = 25.0;
+constexpr double kWideSinksMmS = 36.0;  // by itself, under thumbs that lie still
+constexpr double kWidensMmS = 36.0;
 
 // PULL.
 constexpr double kTouchEndsMm = 12.0;  // over this way a touch's part of the rise runs out
@@ -655,10 +663,8 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double wanted = state.landed_top_mm - 1.5 * down;
     double sink = std::clamp(state.bottom_mm - wanted, 0.0, 45.0 * kGripStepS);
     const bool lies = state.still_s > 0.15;
-    if (lies)
-        sink = std::max(sink, 28.0 * kGripStepS);
-    else if (climate.wide)
-        sink = std::max(sink, kSinksMmS * kGripStepS);
+    if (lies) sink = std::max(sink, (climate.wide ? kWideSinksMmS : 28.0) * kGripStepS);
+    if (climate.wide) sink = std::max(sink, kSinksMmS * kGripStepS);
     double widest = state.bore_mm;
     double widen = 0.0;
     if (aside > 4.0) {
@@ -830,7 +836,7 @@ Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const dvec
     state.press_mm = 0.0;
     decide(state, rings);
     if (state.grip == Grip::kOpen) return open_step(state, rings, climate);
-    if (climate.wide && state.grip == Grip::kNone && is_at_clay(rings, finger)) land(state, rings, finger);
+    if (climate.wide && state.grip == Grip::kNone && is_at_clay(rings, finger)) land(state, rings, finger, true);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking) {
         walk(state, 0.0, 1e9);
         return {};
@@ -904,7 +910,7 @@ double bearable_twist(const Rings& rings, double y) {
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,
                   const GripClimate& climate, double dt_s) noexcept {
     if (rings.count < 3) return {};
-    if (!state.presses) land(state, rings, finger);
+    if (!state.presses) land(state, rings, finger, climate.wide);
     Changed changed{};
     state.credit_s += dt_s;
     while (state.credit_s > kGripStageS - 1e-9) {

@@ -12,6 +12,8 @@
 namespace onggi::visit {
 namespace {
 
+constexpr int kRaiseStep = 2;  // steps done before it; raising goes on as long as the visitor likes
+
 // The next step of the lesson; the last one if all are done.
 ShownStep next_step(const Throwing& throwing) {
     return static_cast<ShownStep>(std::min(throwing.steps_done, kTeachingSteps - 1));
@@ -45,14 +47,17 @@ void pass_show(Turn& turn) {
         if (now_s - pace.shown_s >= rules.show_most_s) end_show(turn);
         return;
     }
-    // Demonstrate each step once, but never while the visitor touches the clay or holds a tool, nor when the
-    // clay is near collapse.
-    const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps && !pace.held &&
+    // Demonstrate each step once, but never while the visitor holds a tool, nor when the clay is near collapse.
+    const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps &&
                            throwing.held == tool::Tool::kHand && !throwing.tray &&
                            pace.seen_since_touch != next_step(throwing) && throwing.warning == Warning::kNone;
     const double quiet_s = now_s - std::max(pace.touched_s, pace.show_over_s);
-    if (is_wanted && now_s - pace.progress_s >= rules.show_after_s && quiet_s >= rules.show_rests_s)
-        begin_show(turn);
+    const bool rests = !pace.held && quiet_s >= rules.show_rests_s;
+    const double without_progress_s = now_s - pace.progress_s;
+    // Who works on without a rest, or holds still, sees the step too once nothing has come of it for long.
+    const bool is_stuck = throwing.steps_done < kRaiseStep && without_progress_s >= rules.show_stuck_s &&
+                          now_s - pace.show_over_s >= rules.show_stuck_s;
+    if (is_wanted && (is_stuck || (rests && without_progress_s >= rules.show_after_s))) begin_show(turn);
 }
 
 void press_throw(Turn& turn, const event::Pressed& event) {

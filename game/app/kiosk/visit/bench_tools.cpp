@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "game/screens/page/layout.h"
 
@@ -45,6 +46,18 @@ std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk
             if (px) tools.push_back({target->held, glm::round(vec2(*px)), target->size_u * px_per_u});
         });
     return tools;
+}
+
+bool BenchTouch::becomes_drag(vec2 px) {
+    constexpr float kTapPx = 24.0F;  // a finger that taps slips by less
+    if (!touch_ || glm::distance(px, touch_->from_px) < kTapPx) return false;
+    touch_.reset();
+    return true;
+}
+
+std::optional<tool::Tool> BenchTouch::lift() {
+    const auto touch = std::exchange(touch_, std::nullopt);
+    return touch ? std::optional(touch->tool) : std::nullopt;
 }
 
 std::optional<tool::Tool> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px) {

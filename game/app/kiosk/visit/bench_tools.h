@@ -16,6 +16,23 @@ namespace onggi::app {
 // not show the bench.
 [[nodiscard]] std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk::State& state);
 
+// A touch that begins on a tool of the bench: a tap takes the tool, a drag is the hand's.
+class BenchTouch {
+  public:
+    void begin(tool::Tool tool, vec2 px) { touch_ = Touch{tool, px}; }
+    // Returns true once the touch has become a drag; it is then over.
+    [[nodiscard]] bool becomes_drag(vec2 px);
+    // The finger is lifted: the tool to take, if the touch was a tap.
+    [[nodiscard]] std::optional<tool::Tool> lift();
+
+  private:
+    struct Touch {
+        tool::Tool tool;
+        vec2 from_px;
+    };
+    std::optional<Touch> touch_;
+};
+
 // The tool at that place, if any.
 [[nodiscard]] std::optional<tool::Tool> bench_tool_at(const std::vector<screens::BenchTool>& tools, vec2 px);
 

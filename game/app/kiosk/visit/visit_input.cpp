@@ -8,7 +8,6 @@
 
 #include "engine/haptics/control_sense.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
-#include "game/app/kiosk/visit/bench_tools.h"
 #include "game/visit/flow/step.h"
 
 namespace onggi::app {
@@ -130,12 +129,18 @@ bool VisitInput::take_drawing(const PointerNews& news) {
     }
 }
 
-// Touching a tool on the bench takes it.
-bool VisitInput::pick_up(vec2 px) {
+bool VisitInput::begins_on_bench(vec2 px) {
+    bench_ = {};  // a touch may have ended on another screen
     if (open_finger(flow_.state()) != Finger::kClay) return false;
-    const auto held = bench_tool_at(bench_tools(parts_, flow_.state()), px);
-    if (held) flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(kiosk::tray_place(*held))});
-    return held.has_value();
+    const auto tool = bench_tool_at(bench_tools(parts_, flow_.state()), px);
+    if (tool) bench_.begin(*tool, px);
+    return tool.has_value();
+}
+
+void VisitInput::touch_clay(vec2 px) {
+    keys_lead_ = false;
+    flow_.dispatch(event::ClayTouched{});
+    if (const auto place = finger_place(px)) finger_.press(*place);
 }
 
 void VisitInput::take_news(const PointerNews& news, double now_s) {
@@ -153,11 +158,10 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             flow_.dispatch(event::Pressed{news.button, news.value});
             break;
         case PointerNews::Kind::kFingerDown:
-            if (pick_up(news.at_px)) break;
-            if (finger_counts(flow_.state())) {
-                keys_lead_ = false;
-                flow_.dispatch(event::ClayTouched{});
-                if (const auto place = finger_place(news.at_px)) finger_.press(*place);
+            if (begins_on_bench(news.at_px)) {
+                flow_.dispatch(event::Input{});
+            } else if (finger_counts(flow_.state())) {
+                touch_clay(news.at_px);
             } else {
                 flow_.dispatch(event::Input{});
             }
@@ -165,9 +169,13 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kFingerMoved:
             if (!finger_counts(flow_.state()) && open_finger(flow_.state()) != Finger::kLooks) break;
             if (news.lives) flow_.dispatch(event::Input{});
+            if (bench_.becomes_drag(news.at_px) && finger_counts(flow_.state())) touch_clay(news.at_px);
             if (const auto place = finger_place(news.at_px)) finger_.drag(*place);
             break;
         case PointerNews::Kind::kFingerUp:
+            if (const auto tool = bench_.lift(); tool && open_finger(flow_.state()) == Finger::kClay)
+                flow_.dispatch(
+                    event::Pressed{Button::kTakeTool, static_cast<int>(kiosk::tray_place(*tool))});
             finger_.release();
             break;
         case PointerNews::Kind::kHovered:

@@ -9,6 +9,7 @@
 #include "game/app/devices/gamepad_finger.h"
 #include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/app/kiosk/finger/kiosk_pointer.h"
+#include "game/app/kiosk/visit/bench_tools.h"
 #include "game/app/kiosk/visit/visit_parts.h"
 #include "game/visit/decorate/visit_drawing.h"
 #include "game/visit/jar/visit_jar.h"
@@ -56,7 +57,9 @@ class VisitInput {
     bool take_drawing(const PointerNews& news);
     // The place on the clay as it is on the wheel, also in the view upside down.
     [[nodiscard]] std::optional<dvec2> finger_place(vec2 px) const;
-    bool pick_up(vec2 px);
+    // A tap on a tool of the bench takes it when the finger is lifted. Returns whether one lies there.
+    bool begins_on_bench(vec2 px);
+    void touch_clay(vec2 px);
     void take_devices(double now_s);
     void take_gamepads(const VisitMoment& moment);
     void help_along();  // attracts the finger to the shown outline
@@ -69,6 +72,7 @@ class VisitInput {
     const visit::VisitTrim& trim_;
     VisitFlow& flow_;
     KioskPointer pointer_;
+    BenchTouch bench_;
     GamepadFinger gamepads_;
     double hovered_s_ = -1e9;  // time of the last mouse motion without a button
     bool keys_lead_ = false;
