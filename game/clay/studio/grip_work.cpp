@@ -603,6 +603,8 @@ constexpr double kRestsAfterS = 0.5;
 constexpr double kRestMmS = 4.0;
 constexpr double kRestMm = 4.0;
 constexpr double kBehindMm = 12.0;
+constexpr double kLowestWallMm = 46.0;  // lower clay is not moved outward
+constexpr double kLowestDishMm = 18.0;  // the same, for Manner::kWide: a dish, and no flat cake
 
 // The rim.
 constexpr double kCatchBelowMm = 3.0;
@@ -718,7 +720,11 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     if (step > 0.0) {
         step *= load_fraction(climate);
         if (wanted > 0.0 && step < 0.3 * wanted) state.guard = GripGuard::kNearLimit;
-        step *= std::clamp((top - 46.0 * climate.size) / 10.0, 0.0, 1.0);
+        const double lowest = climate.wide ? kLowestDishMm : kLowestWallMm;
+        const double spreads = std::clamp((top - lowest * climate.size) / 10.0, 0.0, 1.0);
+        step *= spreads;
+        const bool is_widest = now > kWidestGripMm - 1.0 && state.hand_mm.x > now + 3.0;
+        if (climate.wide && (is_widest || (spreads < 0.3 && error > 3.0))) state.guard = GripGuard::kAsWide;
     } else {
         step *= std::clamp((std::max(state.landed_top_mm, y) + 12.0 - top) / 8.0, 0.0, 1.0);
         if (state.hand_mm.x + state.offset_mm < wall_target(state, rings) - 3.0)

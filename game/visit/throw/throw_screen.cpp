@@ -445,8 +445,11 @@ void add_throw_ledge(Page& page) {
         gauge(page, page.on_ledge({34.0F, ledge_top(page) + 26.0F, 180.0F, 104.0F}));
     } else {
         const int done = throwing.steps_done;
-        teaching(page,
-                 page.t(done < kTeachingSteps ? kStepKeys[static_cast<std::size_t>(done)] : "step.own"));
+        const char* const step =
+            done < kTeachingSteps ? kStepKeys[static_cast<std::size_t>(done)] : "step.own";
+        // A tool in the hand does none of the steps.
+        const bool is_hand = throwing.held == tool::Tool::kHand;
+        teaching(page, page.t(is_hand ? step : kHeldLines[tray_place(throwing.held)]));
     }
     controls(page);
 }

@@ -88,9 +88,25 @@ TEST(Show, DemonstratesAllStepsToAnIdleVisitor) {
     EXPECT_EQ(visitor.state.panel, Panel::kIdle) << "the wheel's hands are no sign of life";
 }
 
-TEST(Show, NeverComesByItselfUnderAHandOrOnClayThatHardlyStands) {
+TEST(Show, ComesUnderAHandThatRubsOrHoldsStillForTwentySecondsWithoutProgress) {
     Visitor holding;
-    holding.starts_to_throw().does(event::ClayTouched{}).does(event::Held{.holds = true}).waits(30.0);
+    holding.starts_to_throw().does(event::ClayTouched{}).does(event::Held{.holds = true}).waits(19.0);
+    EXPECT_FALSE(holding.caused<effect::ShowStep>());
+    holding.waits(1.2);
+    EXPECT_EQ(holding.state.throwing.shown, ShownStep::kPress);
+
+    Visitor rubbing;
+    rubbing.starts_to_throw().does(event::Progress{1});
+    for (int stroke = 0; stroke < 20; ++stroke)
+        rubbing.does(event::ClayTouched{}).waits(0.9);
+    EXPECT_FALSE(rubbing.caused<effect::ShowStep>());
+    rubbing.does(event::ClayTouched{}).waits(2.5);
+    EXPECT_EQ(rubbing.state.throwing.shown, ShownStep::kOpen);
+}
+
+TEST(Show, NeverComesByItselfUnderAHandAtWorkOrOnClayThatHardlyStands) {
+    Visitor holding;
+    holding.starts_to_throw().does(event::ClayTouched{}).does(event::Held{.holds = true}).waits(15.0);
     EXPECT_FALSE(holding.caused<effect::ShowStep>());
     holding.does(event::Held{.holds = false}).waits(2.8);
     EXPECT_FALSE(holding.caused<effect::ShowStep>());
