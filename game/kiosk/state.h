@@ -132,6 +132,7 @@ struct Decorating {
 struct Pace {
     double progress_s = 0.0;   // time of the pot's last progress, or the start of the visit
     double touched_s = -1.0;   // time of the last touch; -1 before the first touch
+    double works_s = 0.0;      // since when the visitor works without a rest
     bool held = false;         // the visitor's hand works the clay now
     double shown_s = 0.0;      // start of the current demonstration
     double show_over_s = 0.0;  // end of the last demonstration

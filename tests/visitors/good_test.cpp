@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "tests/support/places.h"
+#include "tests/visitors/kiosk_rig.h"
 #include "tests/visitors/population.h"
 
 namespace onggi::visitors {
@@ -15,16 +18,22 @@ namespace {
 
 constexpr int kEach = 40;
 
-// Reports with --gtest_filter=*: a row a kind.
+// The least fraction of good pots of a kind. The outlines that bowls and vases mean are too small for a kilogram with a
+// wall of 10 mm, so their kinds are not held to it.
+constexpr std::array<double, kReservedFrom> kLeast{0.95, 0.95, 0.85, 0.75, 0.0, 0.0, 0.5,
+                                                   0.85, 0.4,  0.8,  0.7,  0.85, 0.5, 0.7};
+
+// A row a kind.
 class GoodPots : public ::testing::TestWithParam<int> {
   protected:
     static void throw_and_report() {
         const auto kind = static_cast<Kind>(GetParam());
-        const auto all = throw_pots({.kind = kind, .count = getenv("EACH") ? atoi(getenv("EACH")) : kEach, .first_seed = 1001});
+        const auto all = throw_pots({.kind = kind, .count = kEach, .first_seed = 1001});
         fmt::print("{}\n", row_for(kind, all));
-        if (getenv("WHY")) for (auto& l : all) if (!l.verdict.is_good) fmt::print("   % {} {} ; {:.0f} high {:.0f} ml\n", l.seed, l.verdict.why_not_good, l.verdict.height_mm, l.verdict.capacity_ml);
-        EXPECT_TRUE(all_untouched(all)) << words_for(all);
-        if (!getenv("EACH")) write_sheet(test::in_build(fmt::format("good_{}.png", GetParam())),
+        if (GetParam() < kReservedFrom) {
+            EXPECT_GE(fraction_of_good_pots(all), kLeast[static_cast<std::size_t>(GetParam())]);
+        }
+        write_sheet(test::in_build(fmt::format("good_{}.png", GetParam())),
                     {{all.begin(), all.begin() + kEach / 2}, {all.begin() + kEach / 2, all.end()}});
     }
 };
@@ -41,6 +50,36 @@ std::string name_of(const ::testing::TestParamInfo<int>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Open, GoodPots, ::testing::Range(0, kReservedFrom), name_of);
 INSTANTIATE_TEST_SUITE_P(Reserved, GoodPots, ::testing::Range(kReservedFrom, kKindCount), name_of);
+
+// The mean distance of two outlines over their common height, as root of squares.
+double apart_mm(const Left& one, const Left& other) {
+    double sum = 0.0;
+    const std::size_t count = std::min(one.outer_mm.size(), other.outer_mm.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const double off = one.outer_mm[i].x - other.outer_mm[i].x;
+        sum += off * off;
+    }
+    return std::sqrt(sum / static_cast<double>(count));
+}
+
+TEST(Hands, LeaveDifferentProfilesToVisitorsWhoMoveDifferently) {
+    const auto of = [](Kind kind) { return throw_pots({.kind = kind, .first_seed = 1001}).front(); };
+    const Left vase = of(Kind::kVase);
+    const Left bowl = of(Kind::kBowl);
+    const Left cylinder = of(Kind::kLesson);
+    EXPECT_GT(apart_mm(vase, bowl), 10.0);
+    EXPECT_GT(apart_mm(vase, cylinder), 10.0);
+    EXPECT_GT(apart_mm(bowl, cylinder), 10.0);
+}
+
+TEST(Hands, LeaveNoGoodPotToWhoeverOnlyHoldsStill) {
+    KioskRig rig(1000.0);
+    const double y = 0.3 * rig.height_mm();
+    const double r = rig.outer_mm(y);
+    for (double t = 0.0; t < 60.0; t += kFrameS)
+        rig.frame({r, y}, true);
+    EXPECT_FALSE(judge(rig.clay(), {}).is_good);
+}
 
 }  // namespace
 }  // namespace onggi::visitors

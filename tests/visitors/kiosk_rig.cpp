@@ -44,7 +44,6 @@ haptic::HapticParameters kiosk_parameters() {
     haptic::HapticParameters parameters;
     parameters.set_rate_hz(kRateHz);
     parameters.studio.forgiving = true;
-    if (getenv("NARROW")) parameters.studio.manner = clay::studio::Manner::kNarrow;
     return parameters;
 }
 

@@ -53,11 +53,11 @@ void pass_show(Turn& turn) {
                            pace.seen_since_touch != next_step(throwing) && throwing.warning == Warning::kNone;
     const double quiet_s = now_s - std::max(pace.touched_s, pace.show_over_s);
     const bool rests = !pace.held && quiet_s >= rules.show_rests_s;
-    const double without_progress_s = now_s - pace.progress_s;
     // Who works on without a rest, or holds still, sees the step too once nothing has come of it for long.
-    const bool is_stuck = throwing.steps_done < kRaiseStep && without_progress_s >= rules.show_stuck_s &&
-                          now_s - pace.show_over_s >= rules.show_stuck_s;
-    if (is_wanted && (is_stuck || (rests && without_progress_s >= rules.show_after_s))) begin_show(turn);
+    const double in_vain_s = now_s - std::max({pace.works_s, pace.progress_s, pace.show_over_s});
+    const bool is_stuck = !rests && pace.touched_s >= 0.0 && throwing.steps_done < kRaiseStep &&
+                          in_vain_s >= rules.show_stuck_s;
+    if (is_wanted && (is_stuck || (rests && now_s - pace.progress_s >= rules.show_after_s))) begin_show(turn);
 }
 
 void press_throw(Turn& turn, const event::Pressed& event) {
@@ -122,6 +122,8 @@ void touch_clay(Turn& turn, bool goes_on) {
     // Work by guided hands that a key started some time ago does not close cards opened since.
     if (!goes_on) state.throwing.tray = state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
     state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
+    const bool rested = !state.pace.held && turn.now_s - state.pace.touched_s >= turn.rules.show_rests_s;
+    if (rested || state.pace.touched_s < 0.0) state.pace.works_s = turn.now_s;
     state.pace.touched_s = turn.now_s;
     state.pace.seen_since_touch.reset();
 }
