@@ -627,9 +627,8 @@ constexpr double kWidensMmS = 36.0;
 // PULL.
 constexpr double kTouchEndsMm = 12.0;  // over this way a touch's part of the rise runs out
 
-double opening_mm(const Rings& rings, const GripClimate& climate) {
-    const double solid = outer_face_mm(rings, 0.5 * rings.top_mm());
-    return (climate.wide ? kWideOpening : kNarrowOpening) * solid;
+double opening_mm(const Rings& rings, bool wide) {
+    return (wide ? kWideOpening : kNarrowOpening) * outer_face_mm(rings, 0.5 * rings.top_mm());
 }
 
 // Fraction of a thinning or widening move that the load allows.
@@ -673,11 +672,11 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
         widest = std::min(kThumbsMm + aside, 60.0 * climate.size);
         widen = 55.0 * kGripStepS;
     } else if (lies && !climate.wide) {
-        widest = opening_mm(rings, climate);
+        widest = opening_mm(rings, climate.wide);
         widen = 15.0 * kGripStepS;
     }
     if (climate.wide) {
-        widest = std::max(widest, opening_mm(rings, climate));
+        widest = std::max(widest, opening_mm(rings, climate.wide));
         widen = std::max(widen, kWidensMmS * kGripStepS);
     }
     const double grant = load_fraction(climate) * climate.softness;
@@ -690,7 +689,8 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
 
 // Solid clay got a touch that needs hollow clay: the other hand opens the clay.
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
-    const double widest = opening_mm(rings, climate);
+    // Who draws an outline needs its clay in the wall: not as wide as thumbs go.
+    const double widest = opening_mm(rings, false);
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);
     const bool is_open = deepen(state, rings, 60.0 * kGripStepS * climate.softness,
                                 30.0 * kGripStepS * climate.softness, widest);
