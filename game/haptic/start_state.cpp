@@ -1,8 +1,8 @@
 // Layout, little-endian. The paper's clay: "HST1"; c1, c2, c3, K turning, K standing, wheel speed, minimum
 // radius; the wheel's cosine and sine; the tool's x, y, z and radius (doubles); its button (32 bits); ticks
 // (64 bits); the clay. The studio's clay: "HST4"; its parameters (doubles; flags as 1 and 0); the manner of
-// the hands (double); the tool (tool_bytes); ticks (64 bits); the clay, with its wheel. "HST3" is the same without the
-// manner, for the narrow one.
+// the hands (double); the tool (tool_bytes); ticks (64 bits); the clay, with its wheel. "HST3" is the same
+// without the manner, for the narrow one.
 #include "game/haptic/start_state.h"
 
 #include <fmt/format.h>

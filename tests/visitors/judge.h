@@ -15,9 +15,9 @@ struct Verdict {
     double thinnest_mm = 0.0;
     double thickest_mm = 0.0;
     double steep_fraction = 0.0;  // fraction of the height that leans more than 2 to 1
-    double mean_wall_mm = 0.0;     // across the wall, from 6 mm above the floor to the rim
-    double thickest_up_mm = 0.0;   // the same
-    double thinnest_up_mm = 0.0;   // the same
+    double mean_wall_mm = 0.0;    // across the wall, from 6 mm above the floor to the rim
+    double thickest_up_mm = 0.0;  // the same
+    double thinnest_up_mm = 0.0;  // the same
     double drawn_rms_mm = 0.0;    // from the intended outline; 0 without one
     bool is_pot = false;
     std::string why_not = {};
@@ -26,8 +26,8 @@ struct Verdict {
 };
 
 // A pot holds 60 ml and stands 45 mm high, is nowhere thinner than 2.5 mm, and no more than a tenth of its
-// height leans more than 2 to 1. A good pot is hollow and holds 150 ml; from 6 mm above its floor, its wall is
-// nowhere thicker than 15 mm or thinner than 2.5 mm, and at most 10 mm thick in the mean.
+// height leans more than 2 to 1. A good pot is hollow and holds 150 ml; from 6 mm above its floor, its wall
+// is nowhere thicker than 15 mm or thinner than 2.5 mm, and at most 10 mm thick in the mean.
 Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn_mm);
 
 // Judges the clay at the end of a session, which is replayed. Error: as start_pot().

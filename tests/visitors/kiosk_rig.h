@@ -1,6 +1,6 @@
-// The kiosk's wheel under a visitor's pointer: window events pass through the kiosk's pointer, the flow of the
-// throwing screen, hand, device and tick to the clay, on a virtual clock. There is no picture; pixels map to
-// the clay's plane as on a screen 1280 wide, with the tools of the bench where that screen shows them.
+// The kiosk's wheel under a visitor's pointer: window events pass through the kiosk's pointer, the flow of
+// the throwing screen, hand, device and tick to the clay, on a virtual clock. There is no picture; pixels map
+// to the clay's plane as on a screen 1280 wide, with the tools of the bench where that screen shows them.
 #pragma once
 
 #include <vector>

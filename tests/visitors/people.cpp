@@ -84,8 +84,8 @@ class Person {
             if (skill_.tremor_mm > 0.0) {
                 constexpr double kTremorHz = 5.0;
                 const double shake = 2.0 * std::numbers::pi * kTremorHz * t;
-                place += dvec2(std::sin(shake + phase_x), std::sin(1.13 * shake + phase_y)) *
-                         skill_.tremor_mm;
+                place +=
+                    dvec2(std::sin(shake + phase_x), std::sin(1.13 * shake + phase_y)) * skill_.tremor_mm;
             }
             frame(place, true);
         }
@@ -493,10 +493,10 @@ void swipe(Person& person) {
         const double far = person.uniform(30.0, 90.0);
         const double low = person.uniform(0.1, 0.5) * top;
         const double r = wheel.outer_mm(low);
-        std::vector<dvec2> way{{r, low}, {r, low + far}};                             // up
-        if (where < 1.0) way = {{0.0, top + 5.0}, {0.0, top + 5.0 - far}};            // down
-        if (where > 3.0) way = {{r + 0.3 * far, low}, {r - 0.4 * far, low}};          // inward
-        if (where > 3.5) way = {{0.3 * r, top - 5.0}, {0.3 * r + far, top - 5.0}};    // outward
+        std::vector<dvec2> way{{r, low}, {r, low + far}};                           // up
+        if (where < 1.0) way = {{0.0, top + 5.0}, {0.0, top + 5.0 - far}};          // down
+        if (where > 3.0) way = {{r + 0.3 * far, low}, {r - 0.4 * far, low}};        // inward
+        if (where > 3.5) way = {{0.3 * r, top - 5.0}, {0.3 * r + far, top - 5.0}};  // outward
         person.stroke(way, person.uniform(0.15, 0.4));
         person.note_progress();
     }
@@ -568,19 +568,20 @@ void stroke_downward(Person& person) {
     }
 }
 
+// The kinds that came later, and those who follow an outline, keep the seeds of earlier populations.
+std::uint64_t number_of(Kind kind, std::uint64_t seed) {
+    const auto place = static_cast<std::uint64_t>(kind);
+    if (kind == Kind::kFollowsOutline) return seed * kEarlierKinds + kEarlierKinds;
+    return place < kEarlierKinds ? seed * kEarlierKinds + place : seed * 1000 + place;
+}
+
 }  // namespace
 
 Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& rig,
                   const std::vector<dvec2>& shown_mm) {
-    const auto place = static_cast<std::uint64_t>(kind);
-    // The kinds that came later, and those who follow an outline, keep the seeds of earlier populations.
-    const bool is_earlier = place < kEarlierKinds;
-    const std::uint64_t number = kind == Kind::kFollowsOutline ? seed * kEarlierKinds + kEarlierKinds
-                                 : is_earlier                  ? seed * kEarlierKinds + place
-                                                               : seed * 1000 + place;
     Skill hand = skill;
     if (kind == Kind::kTrembles) hand.tremor_mm = 2.5;
-    Person person(number, hand, rig, kind == Kind::kLeftHand ? -1.0 : 1.0);
+    Person person(number_of(kind, seed), hand, rig, kind == Kind::kLeftHand ? -1.0 : 1.0);
     Visit visit;
     switch (kind) {
         case Kind::kLesson:

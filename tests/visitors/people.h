@@ -36,15 +36,20 @@ enum class Kind {
     kDownward,        // opens, then strokes the outside from the rim down, and up again
     kFollowsOutline,  // draws the outline that is shown on the clay
 };
-constexpr int kKindCount = 21;      // number of kinds above that follow no outline
-constexpr int kEarlierKinds = 9;    // the first kinds, whose seeds are of that many kinds
-constexpr int kReservedFrom = 14;   // kinds from kStirs on: no value of the clay was chosen by them
-constexpr std::array<std::string_view, kKindCount + 1> kKindNames{
-    "lesson",   "left hand",      "top first",    "outside pull", "bowl",
-    "vase",     "scribble",       "lifts often",  "holds still",  "trembles",
-    "at base",  "pulls inside",   "starts aside", "plate",        "stirs",
-    "taps",     "swipes",         "traces",       "slow",         "both sides",
-    "downward", "follows an outline"};
+constexpr int kKindCount = 21;     // number of kinds above that follow no outline
+constexpr int kEarlierKinds = 9;   // the first kinds, whose seeds are of that many kinds
+constexpr int kReservedFrom = 14;  // kinds from kStirs on: no value of the clay was chosen by them
+constexpr std::array<std::string_view, kKindCount + 1> kKindNames{"lesson",       "left hand",
+                                                                  "top first",    "outside pull",
+                                                                  "bowl",         "vase",
+                                                                  "scribble",     "lifts often",
+                                                                  "holds still",  "trembles",
+                                                                  "at base",      "pulls inside",
+                                                                  "starts aside", "plate",
+                                                                  "stirs",        "taps",
+                                                                  "swipes",       "traces",
+                                                                  "slow",         "both sides",
+                                                                  "downward",     "follows an outline"};
 
 // How one of them aims: standard deviations in mm. 4.8 mm are ten pixels of a screen 1280 wide.
 struct Skill {

@@ -23,7 +23,8 @@ constexpr double kErrorSlowsOverMm = 10.0;
 constexpr double kSlowest = 0.12;
 constexpr double kStillMmS = 12.0;  // a slower finger counts as lying still
 
-// Fractions of the radius: so far inside the outline, a finger is on the face. Lower down it may mean the foot.
+// Fractions of the radius: so far inside the outline, a finger is on the face. Lower down it may mean the
+// foot.
 constexpr double kOnFace = 0.3;
 constexpr double kOnFoot = 0.45;
 constexpr double kFootMm = 15.0;
@@ -620,7 +621,7 @@ constexpr double kNarrowOpening = 0.45;  // fraction of the radius to which an o
 constexpr double kWideOpening = 0.7;     // the same, for Manner::kWide
 constexpr double kNarrowOutward = 0.3;   // fraction of the clay that goes to the outer face
 constexpr double kWideOutward = 0.5;
-constexpr double kSinksMmS = 12.0;       // by itself, under thumbs that move
+constexpr double kSinksMmS = 12.0;      // by itself, under thumbs that move
 constexpr double kWideSinksMmS = 36.0;  // by itself, under thumbs that lie still
 constexpr double kWidensMmS = 36.0;
 
@@ -842,7 +843,8 @@ Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const dvec
     state.press_mm = 0.0;
     decide(state, rings);
     if (state.grip == Grip::kOpen) return open_step(state, rings, climate);
-    if (climate.wide && state.grip == Grip::kNone && is_at_clay(rings, finger)) land(state, rings, finger, true);
+    if (climate.wide && state.grip == Grip::kNone && is_at_clay(rings, finger))
+        land(state, rings, finger, true);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking) {
         walk(state, 0.0, 1e9);
         return {};

@@ -47,7 +47,8 @@ void pass_show(Turn& turn) {
         if (now_s - pace.shown_s >= rules.show_most_s) end_show(turn);
         return;
     }
-    // Demonstrate each step once, but never while the visitor holds a tool, nor when the clay is near collapse.
+    // Demonstrate each step once, but never while the visitor holds a tool, nor when the clay is near
+    // collapse.
     const bool is_wanted = rules.shows_by_itself && throwing.steps_done < kTeachingSteps &&
                            throwing.held == tool::Tool::kHand && !throwing.tray &&
                            pace.seen_since_touch != next_step(throwing) && throwing.warning == Warning::kNone;

@@ -75,9 +75,8 @@ int Lesson::steps_done(const pot::Pot& shape) {
     const bool was_opened = opened_height_mm_ > 0.0;
     const bool pressed = start_foot_mm_ - foot_mm >= kPressedMm * size_ ||
                          height_mm - start_height_mm_ >= 2.0 * kPressedMm * size_;
-    const bool raised =
-        is_open && mean_wall_mm(shape) <= kDrawnWallMm * size_ &&
-        (height_mm > kRaisedFraction * opened_height_mm_ || height_mm >= kRaisedMm * size_);
+    const bool raised = is_open && mean_wall_mm(shape) <= kDrawnWallMm * size_ &&
+                        (height_mm > kRaisedFraction * opened_height_mm_ || height_mm >= kRaisedMm * size_);
     // Opening includes pressing, and raising includes both: a visitor who begins with a later move has done
     // the earlier ones.
     done_ = std::max(done_, raised ? 3 : was_opened ? 2 : pressed ? 1 : 0);
