@@ -10,7 +10,7 @@ set(CPACK_DEBIAN_KIOSK_PACKAGE_DEPENDS
     # Called by the unit and its start script.
     systemd udev seatd procps
     # Display: the compositor, X11 in it, and drivers.
-    cage xwayland libgl1-mesa-dri mesa-vulkan-drivers
+    cage wlr-randr xwayland libgl1-mesa-dri mesa-vulkan-drivers
     # Fonts.
     fonts-nanum fonts-noto-core)
 list(JOIN CPACK_DEBIAN_KIOSK_PACKAGE_DEPENDS ", " CPACK_DEBIAN_KIOSK_PACKAGE_DEPENDS)

@@ -20,11 +20,17 @@ cat >place.c <<'CODE'
 #include <GLFW/glfw3.h>
 #include <stdio.h>
 #include <stdlib.h>
+// What a larger program leaves on the stack, from which GLFW takes the coordinates; zeroes would hide them.
+static void leave_marks(void) {
+    volatile unsigned char marks[65536];
+    for (unsigned i = 0; i < sizeof marks; ++i) marks[i] = 0x55;
+}
 int main(void) {
     if (!glfwInit()) return 2;
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    leave_marks();
     GLFWwindow* window = glfwCreateWindow(mode->width, mode->height, "place", monitor, NULL);
     if (window == NULL) return 3;
     for (int wait = 0; wait < 20; ++wait) glfwWaitEventsTimeout(0.05);

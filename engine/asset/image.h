@@ -35,7 +35,8 @@ Result<std::vector<std::byte>> encode_png(const Image& image);
 // truncated, fail a checksum, or claim a side above kMaxImageSide.
 Result<Image> decode_png(std::span<const std::byte> bytes, std::string_view name);
 
-// JPEG (ITU-T T.81) of the picture's colours, ignoring alpha, without chroma subsampling. quality 1 to 100.
+// Progressive JPEG (ITU-T T.81) of the picture's colours, ignoring alpha, without chroma subsampling. An even
+// picture takes half the bytes of a baseline JPEG. quality 1 to 100.
 // The same picture gives the same bytes. kBadInput as encode_png().
 Result<std::vector<std::byte>> encode_jpeg(const Image& image, int quality);
 

@@ -29,8 +29,9 @@ Result<std::vector<std::byte>> encode_jpeg(const Image& image, int quality) {
     unsigned char* data = nullptr;
     unsigned long size = 0;  // NOLINT: the library's type
     constexpr int kTightRows = 0;
-    const int done = tjCompress2(encoder.get(), image.rgba.data(), image.width, kTightRows, image.height,
-                                 TJPF_RGBX, &data, &size, TJSAMP_444, quality, TJFLAG_ACCURATEDCT);
+    const int done =
+        tjCompress2(encoder.get(), image.rgba.data(), image.width, kTightRows, image.height, TJPF_RGBX, &data,
+                    &size, TJSAMP_444, quality, TJFLAG_ACCURATEDCT | TJFLAG_PROGRESSIVE);
     std::vector<std::byte> bytes;
     if (done == 0) {
         const auto* first = reinterpret_cast<const std::byte*>(data);

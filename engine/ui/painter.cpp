@@ -310,7 +310,8 @@ int pango_units(float px) {
     return static_cast<int>(std::lround(px * PANGO_SCALE));
 }
 
-// Korean text must break between words; Unicode's rules would allow a break between any two syllables.
+// Korean text must break between words; Unicode's rules would allow a break between any two syllables, and so
+// does Pango (findings/pango-breaks-inside-korean-words-under-every-language.sh).
 void keep_korean_words_whole(PangoAttrList* attributes, const std::string& words) {
     const char* const begin = words.c_str();
     const char* word = begin;
@@ -329,7 +330,7 @@ void keep_korean_words_whole(PangoAttrList* attributes, const std::string& words
         }
         if (letter == 0) return;
         has_hangul = false;
-        word = at + 1;
+        word = g_utf8_next_char(at);
     }
 }
 
@@ -430,9 +431,9 @@ std::string key_of(const Text& text) {
 
 constexpr std::size_t kMostRemembered = 4096;
 
-// All text is measured at this glyph size: for each new size Pango makes fontconfig sort the machine's fonts,
-// and a search for the largest size that fits tries many. The extra half of a Pango unit compensates for
-// truncation.
+// All text is measured at this glyph size: for each new size Pango makes fontconfig sort the machine's fonts
+// (findings/pango-sorts-all-fonts-again-for-each-new-size.sh), and a search for the largest size that fits
+// tries many. The extra half of a Pango unit compensates for truncation.
 constexpr float kMeasuredPx = 64.0F + 0.5F / PANGO_SCALE;
 
 thread_local std::uint64_t work_done = 0;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -13,18 +14,44 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-// Declared in <GLFW/glfw3native.h>, which would include Xlib's macros. Weak: GLFW's Wayland build lacks it.
+// Declared in <GLFW/glfw3native.h>, which would include Xlib's macros. Weak: GLFW 3.3's Wayland build lacks
+// it.
 extern "C" [[gnu::weak]] unsigned long glfwGetX11Window(GLFWwindow* window);
+// Weak: GLFW 3.3 lacks it. A program built with the headers of 3.3 may run on 3.4, which has the same soname.
+extern "C" [[gnu::weak]] int glfwGetPlatform();
 
 namespace onggi::window {
 namespace {
+
+// Values of the header of GLFW 3.4, which that of 3.3 lacks.
+constexpr int kPlatformHint = 0x00050003;
+constexpr int kAnyPlatform = 0x00060000;
+constexpr int kPlatformX11 = 0x00060004;
+
+bool starts_on(int platform) {
+    glfwInitHint(kPlatformHint, platform);
+    return glfwInit() == GLFW_TRUE;
+}
+
+// GLFW 3.4 prefers Wayland, where it has no touches, also inside cage
+// (findings/glfw-3-4-takes-wayland-inside-cage.sh). Touches need X11, wherever there is an X server.
+bool starts() {
+    if (glfwGetPlatform == nullptr) return glfwInit() == GLFW_TRUE;
+    const char* display = std::getenv("DISPLAY");
+    return (display != nullptr && *display != '\0' && starts_on(kPlatformX11)) || starts_on(kAnyPlatform);
+}
+
+bool is_on_x11() {
+    if (glfwGetX11Window == nullptr) return false;
+    return glfwGetPlatform == nullptr || glfwGetPlatform() == kPlatformX11;
+}
 
 // GLFW has global state; this class counts its users.
 class GlfwLibrary {
   public:
     // Error: why GLFW cannot start.
     static Result<std::unique_ptr<GlfwLibrary>> start() {
-        if (glfwInit() != GLFW_TRUE) {
+        if (!starts()) {
             const char* reason = nullptr;
             glfwGetError(&reason);
             return system_lacks(
@@ -191,8 +218,7 @@ class GlfwWindow final : public Window {
             window_, [](GLFWwindow* w, int focused) { self(w).push(FocusEvent{focused == GLFW_TRUE}); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).push(CloseEvent{}); });
         glfwSetWindowPosCallback(window_, [](GLFWwindow* w, int, int) { self(w).moved_ = true; });
-        if (glfwGetX11Window != nullptr)
-            fingers_ = TouchScreen::of(static_cast<std::uint32_t>(glfwGetX11Window(window_)));
+        if (is_on_x11()) fingers_ = TouchScreen::of(static_cast<std::uint32_t>(glfwGetX11Window(window_)));
     }
     ~GlfwWindow() override { glfwDestroyWindow(window_); }
     GlfwWindow(const GlfwWindow&) = delete;
@@ -238,6 +264,13 @@ class GlfwWindow final : public Window {
         return size;
     }
     [[nodiscard]] double refresh_hz() const override { return refresh_hz_; }
+    [[nodiscard]] std::string platform() const override { return is_on_x11() ? "X11" : "Wayland"; }
+    [[nodiscard]] std::string why_no_touches() const override {
+        if (fingers_) return {};
+        if (!is_on_x11())
+            return "expected X11, found Wayland, where GLFW reads none; set DISPLAY to an X server";
+        return "expected an X server that reports them (XInput 2.2), found one that does not";
+    }
     void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
 
     void set_full_screen(bool full_screen) override {

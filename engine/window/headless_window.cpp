@@ -14,6 +14,8 @@ class HeadlessWindow final : public Window {
     [[nodiscard]] bool close_requested() const override { return false; }
     [[nodiscard]] Size size() const override { return size_; }
     [[nodiscard]] double refresh_hz() const override { return 0.0; }
+    [[nodiscard]] std::string platform() const override { return {}; }
+    [[nodiscard]] std::string why_no_touches() const override { return {}; }
     void set_title(const std::string&) override {}
     void set_full_screen(bool) override {}
 

@@ -42,6 +42,10 @@ class Window {
     [[nodiscard]] virtual Size size() const = 0;
     // Refresh rate of the window's display in whole Hz, from GLFW; 0: unknown. Cheap.
     [[nodiscard]] virtual double refresh_hz() const = 0;
+    // The window system, for the log; empty: headless.
+    [[nodiscard]] virtual std::string platform() const = 0;
+    // The reason why touches are not read one by one; empty if they are, or if headless.
+    [[nodiscard]] virtual std::string why_no_touches() const = 0;
     virtual void set_title(const std::string& title) = 0;
     virtual void set_full_screen(bool full_screen) = 0;
 };

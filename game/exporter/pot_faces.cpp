@@ -186,6 +186,17 @@ Face thinned(const Face& face, double tolerance_mm) {
     return out;
 }
 
+Face spread(const Face& face, double nearest_mm) {
+    Face out{face.front()};
+    for (const SurfaceRow& row : std::span(face).subspan(1)) {
+        const bool is_last = &row == &face.back();
+        while (is_last && out.size() > 1 && pot::distance_mm(out.back(), row) < nearest_mm)
+            out.pop_back();
+        if (is_last || pot::distance_mm(out.back(), row) >= nearest_mm) out.push_back(row);
+    }
+    return out;
+}
+
 double thinnest_mm(const PotRings& rings) {
     double thinnest = rings.outer_mm.front();
     for (int i = 0; i < rings.count(); ++i)

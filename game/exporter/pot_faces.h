@@ -36,6 +36,9 @@ Face face_of(const PotRings& rings, Which which, int first, int end, int corners
 // Reduces the rows so that no radius, centre or dent changes by more than tolerance_mm. Ledges stay.
 Face thinned(const Face& face, double tolerance_mm);
 
+// Without the rows that are nearer than that to the one before, ledges included; both ends stay.
+Face spread(const Face& face, double nearest_mm);
+
 // The smallest distance between two faces, or between a face and the axis.
 double thinnest_mm(const PotRings& rings);
 

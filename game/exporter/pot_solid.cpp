@@ -76,14 +76,20 @@ struct Rows {
 
 // The rows at one setting; empty if its tolerance might push one face through the other, or if they exceed
 // the budget.
-std::optional<Rows> rows_at(const PotRings& rings, const Fineness& fineness, std::size_t most_triangles) {
+std::optional<Rows> rows_at(const PotRings& rings, const Fineness& fineness, const SolidOptions& options) {
     // Each face may move by the tolerance, and a distance must remain between them.
-    if (!(4.0 * fineness.tolerance_mm <= thinnest_mm(rings))) return std::nullopt;
+    const double most_mm = thinnest_mm(rings) / 4.0;
+    if (!(fineness.tolerance_mm <= most_mm)) return std::nullopt;
+    const double apart_mm = std::min(kNearestGlazedRowsMm / options.shrinkage, most_mm);
     auto walks = walks_over(rings, [&](Which which, int first, int end) {
-        const Face face = face_of(rings, which, first, end, fineness.corners);
-        return fineness.tolerance_mm > 0.0 ? thinned(face, fineness.tolerance_mm) : face;
+        Face face = face_of(rings, which, first, end, fineness.corners);
+        if (fineness.tolerance_mm > 0.0) face = thinned(face, fineness.tolerance_mm);
+        return options.is_glazed ? spread(face, apart_mm) : face;
     });
-    if (triangle_count(walks, fineness.corners) > most_triangles) return std::nullopt;
+    const pot::Rounding rounding{.within_mm = kGlazeRoundingMm / options.shrinkage, .apart_mm = apart_mm};
+    for (Walk& walk : walks)
+        if (options.is_glazed) walk = pot::rounded(walk, rounding, fineness.corners);
+    if (triangle_count(walks, fineness.corners) > options.most_triangles) return std::nullopt;
     return Rows{std::move(walks), fineness, rings.count()};
 }
 
@@ -99,6 +105,36 @@ double across_scale(const SurfaceBuilder& builder, const PotRings& rings) {
     return std::sqrt(rings.volume_mm3 / builder.volume_mm3());
 }
 
+// v of each strip, 0 at the end of the last walk to 1 at the start of the first.
+std::vector<double> rows_of_pictures(const std::vector<SurfaceBuilder::Strip>& strips) {
+    std::vector<double> lengths_mm{0.0};  // from the strip before
+    double outside_mm = 0.0;
+    const auto is_outside = [&](std::size_t i) {
+        return !strips[i].inside && !strips[i - 1].inside && !strips[i].is_middle && !strips[i - 1].is_middle;
+    };
+    for (std::size_t i = 1; i < strips.size(); ++i) {
+        lengths_mm.push_back(strips[i].along_mm - strips[i - 1].along_mm);
+        if (is_outside(i)) outside_mm += lengths_mm.back();
+    }
+    const double rest_mm = strips.back().along_mm - strips.front().along_mm - outside_mm;
+    const double fair = kOutsideOfPictures / (1.0 - kOutsideOfPictures) * rest_mm;
+    const double stretch = outside_mm > 0.0 ? std::max(fair / outside_mm, 1.0) : 1.0;
+    const double total_mm = rest_mm + stretch * outside_mm;
+    std::vector<double> v;
+    double along_mm = 0.0;
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        along_mm += i > 0 && is_outside(i) ? stretch * lengths_mm[i] : lengths_mm[i];
+        v.push_back(std::clamp(1.0 - along_mm / total_mm, 0.0, 1.0));
+    }
+    return v;
+}
+
+// To 17 bits after the point, so that zlib finds repeated bytes; its length stays within 1e-5 of 1.
+vec3 direction_in_file(const dvec3& direction) {
+    constexpr double kSteps = 131072.0;
+    return vec3(glm::round(direction * kSteps) / kSteps) + vec3(0.0F);
+}
+
 // Adds texture coordinates and tangents to the solid's mesh, and lists the rows of the pictures. The builder
 // must be unwrapped and have its normals.
 void unwrap(const SurfaceBuilder& builder, double shrinkage, PotSolid& pot) {
@@ -106,8 +142,9 @@ void unwrap(const SurfaceBuilder& builder, double shrinkage, PotSolid& pot) {
     mesh.uvs.resize(builder.positions_mm.size());
     mesh.tangents.resize(builder.positions_mm.size());
     const auto& strips = builder.strips();
+    const std::vector<double> vs = rows_of_pictures(strips);
     for (auto strip = strips.rbegin(); strip != strips.rend(); ++strip) {
-        const double v = 1.0 - strip->along_mm / builder.along_mm();
+        const double v = vs[static_cast<std::size_t>(strips.rend() - strip) - 1];
         dvec2 mean(0.0);
         for (std::uint32_t k = 0; k < strip->count; ++k) {
             const std::uint32_t vertex = strip->first + k;
@@ -117,7 +154,7 @@ void unwrap(const SurfaceBuilder& builder, double shrinkage, PotSolid& pot) {
             const dvec3& normal = builder.normals[vertex];
             const dvec3 round(-outward.y, 0.0, -outward.x);
             const dvec3 square = glm::normalize(round - glm::dot(round, normal) * normal);
-            mesh.tangents[vertex] = vec4(vec3(square), 1.0F);
+            mesh.tangents[vertex] = vec4(direction_in_file(square), 1.0F);
             mean += dvec2(normal.x * outward.x - normal.z * outward.y, normal.y);
         }
         pot.picture_rows.push_back({.v = v,
@@ -134,16 +171,16 @@ bool is_like(const Rows& rows, const PotRings& rings) {
     return std::fabs(across_scale(built(rows), rings) - 1.0) < kMostOff;
 }
 
-std::optional<Rows> rows_within_budget(const PotRings& rings, std::size_t most_triangles) {
+std::optional<Rows> rows_within_budget(const PotRings& rings, const SolidOptions& options) {
     for (const Fineness& fineness : kFinenesses)
-        if (auto rows = rows_at(rings, fineness, most_triangles)) return rows;
+        if (auto rows = rows_at(rings, fineness, options)) return rows;
     // The pot is rough all over: try every second ring, or fourth, while those represent the rest; else
     // merged rings.
     for (const Halving how : {Halving::kEverySecond, Halving::kMerged}) {
         for (PotRings fewer = halved(rings, how), last = rings; fewer.count() < last.count();
              last = std::exchange(fewer, halved(fewer, how))) {
             for (const double tolerance_mm : {0.0, kFinenesses.back().tolerance_mm}) {
-                auto rows = rows_at(fewer, {tolerance_mm, kFinenesses.back().corners}, most_triangles);
+                auto rows = rows_at(fewer, {tolerance_mm, kFinenesses.back().corners}, options);
                 if (rows && is_like(*rows, rings)) return rows;
             }
         }
@@ -155,7 +192,7 @@ std::optional<Rows> rows_within_budget(const PotRings& rings, std::size_t most_t
 
 Result<PotSolid> build_pot_solid(const PotRings& rings, const SolidOptions& options) {
     if (const Result<void> good = check_rings(rings); !good) return good.error();
-    const std::optional<Rows> rows = rows_within_budget(rings, options.most_triangles);
+    const std::optional<Rows> rows = rows_within_budget(rings, options);
     if (!rows) return bad_input("pot: expected clay that is not split into thousands of hollows");
     SurfaceBuilder builder = built(*rows, options.unwraps);
     PotSolid pot;
@@ -176,7 +213,8 @@ Result<PotSolid> build_pot_solid(const PotRings& rings, const SolidOptions& opti
     for (std::size_t i = 0; i < builder.positions_mm.size(); ++i) {
         const dvec3& p = builder.positions_mm[i];
         pot.mesh.positions_m.push_back(vec3(p * dvec3(across, up, across)) + zero);
-        pot.mesh.normals.push_back(vec3(builder.normals[i]) + zero);
+        const dvec3& normal = builder.normals[i];
+        pot.mesh.normals.push_back(options.unwraps ? direction_in_file(normal) : vec3(normal) + zero);
     }
     pot.mesh.indices = std::move(builder.indices);
     return pot;

@@ -9,7 +9,12 @@
 namespace onggi::exporter {
 
 constexpr std::size_t kMaxTriangles = 50000;        // for printing
-constexpr std::size_t kMaxSharedTriangles = 30000;  // for viewing on a phone, with pictures
+constexpr std::size_t kMaxSharedTriangles = 20000;  // for viewing on a phone, with pictures
+// No two rows of a glazed solid are nearer, in the file's mm: clients draw them as hairlines.
+constexpr double kNearestGlazedRowsMm = 0.3;
+constexpr double kGlazeRoundingMm = 1.2;  // from an edge to where its rounding begins
+
+constexpr double kOutsideOfPictures = 2.0 / 3.0;  // visitors decorate the outside and look at it
 
 // A row of the pot's pictures (pot_pictures.h): the values that are constant all the way round.
 struct PictureRow {
@@ -25,14 +30,17 @@ struct SolidOptions {
     std::size_t most_triangles = kMaxTriangles;
     // Adds texture coordinates: u goes once round the pot from the clay's direction 0, counter-clockwise seen
     // from above; v from the middle of the floor (or of the top of solid clay) up the inside, over the rim
-    // and down the outside to the middle of the foot. Vertices are doubled where u begins, and repeated for
-    // each corner in the middle of a disc.
+    // and down the outside to the middle of the foot, by length, but the outside takes kOutsideOfPictures at
+    // least. Vertices are doubled where u begins, and repeated for each corner in the middle of a disc.
     bool unwraps = false;
+    // Rounds the edges as a glaze does: shared normals, and rows at least kNearestGlazedRowsMm apart.
+    bool is_glazed = false;
 };
 
 // Metres, +Y up, base at y = 0, the wheel's axis at x = z = 0, the clay's direction 0 along +X. Closed by
 // position, normals outward: each edge is shared by two triangles that run it in opposite directions.
-// Vertices are doubled only at edges of the surface. A pot without an inside and a vessel are one part with V
+// Vertices are doubled only at edges of the surface, in a glazed solid only round a foot without floor. A pot
+// without an inside and a vessel are one part with V
 // - E + F = 2; clay without a floor is a tube, 0; a hollow that is closed over is a separate part inside.
 //
 // There are two approximations: faces are thinned (pot_faces.h), and a circle of radius R becomes a regular

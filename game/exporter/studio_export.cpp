@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "game/exporter/pot_solid.h"
-
 namespace onggi::exporter {
 namespace {
 
@@ -93,6 +91,13 @@ std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, Firing stage)
             {"ledger_error_mm3", clay.ledger_error_mm3()}};
 }
 
+Result<PotSolid> viewed_solid(const clay::StudioClay& clay, Firing stage) {
+    return build_pot_solid(rings_of(clay.rings()), {.shrinkage = clay::shrunk_scale(clay.lump().body, stage),
+                                                    .most_triangles = kMaxSharedTriangles,
+                                                    .unwraps = true,
+                                                    .is_glazed = stage == Firing::kGlaze});
+}
+
 Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage) {
     const ClayBody body = clay.lump().body;
     const double scale = clay::shrunk_scale(body, stage);
@@ -100,7 +105,7 @@ Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage) {
     if (!pot) return pot.error();
     return PotFile{.content = pot_content(std::move(pot->mesh), {.name = pot_name(body, stage)},
                                           pot_extras(clay, stage)),
-                   .title = fmt::format("Onggi pot, {} {}, {:.1f} mm high", name_of(stage), name_of(body),
+                   .title = fmt::format("Onggi pot, {}, {:.1f} mm high", pot_name(body, stage),
                                         clay.height_mm() * scale),
                    .note = printing_note(clay::measure_pot(clay.rings(), body, stage).thinnest_wall_mm)};
 }

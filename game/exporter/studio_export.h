@@ -10,6 +10,7 @@
 #include "game/clay/studio/pot.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/exporter/export.h"
+#include "game/exporter/pot_solid.h"
 
 namespace onggi::exporter {
 
@@ -24,6 +25,9 @@ std::string pot_name(clay::ClayBody body, clay::Firing stage);  // "wet stonewar
 // same for max_diameter; the ledger of the wet clay: ledger_lump_mm3, ledger_on_wheel_mm3,
 // ledger_trimmings_mm3, ledger_slip_mm3, ledger_error_mm3.
 std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, clay::Firing stage);
+
+// The unwrapped solid for viewing, glazed at the last stage. kBadInput: see build_pot_solid().
+Result<PotSolid> viewed_solid(const clay::StudioClay& clay, clay::Firing stage);
 
 // The solid for 3D printers, with a material that has a name alone. kBadInput: see build_pot_solid().
 Result<PotFile> pot_file(const clay::StudioClay& clay, clay::Firing stage);

@@ -41,7 +41,7 @@ enum class Button {
     kNewClay,
     kUndo,
     kTools,     // opens or closes the tray of tools
-    kTakeTool,  // value: a Held
+    kTakeTool,  // value: a place in kTray
     kCut,       // cuts the rim at the wire
     kToolLess,
     kToolMore,

@@ -2,7 +2,6 @@
 // Times are seconds of the caller's monotonic clock.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -40,14 +39,6 @@ constexpr int kMostTextSize = 3;
 
 enum class Warning { kNone, kThin, kWet, kFast };
 enum class FiringStage { kCut, kDry, kFire };
-
-// The tools that a hand may hold while it throws, in the order of the tray.
-constexpr std::array kTrayTools{tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire};
-// Precondition: it is one of them.
-[[nodiscard]] constexpr std::size_t tray_place(tool::Tool held) {
-    return static_cast<std::size_t>(std::find(kTrayTools.begin(), kTrayTools.end(), held) -
-                                    kTrayTools.begin());
-}
 
 // The steps of making a jar from two bowls, joined rim to rim. All but kAside and kJoin throw clay.
 enum class JarStep {

@@ -163,9 +163,13 @@ BakedRow baked_row(const exporter::PictureRow& row, const Outline& outline) {
         return baked;
     }
     const vec2 own = outline.normal(baked.along_mm);
-    // Beside a ledge the outline's averaged normal turns into the ledge; the mesh has that edge itself.
-    constexpr float kSameFace = 0.94F;
-    if (glm::dot(own, baked.fine) > kSameFace) baked.fine = own;
+    // Beside a ledge the outline's averaged normal turns into the ledge; the mesh has that edge itself. The
+    // change is gradual, because a step between texels shows as a ring.
+    constexpr float kOtherFace = 0.94F;
+    constexpr float kSameFace = 0.99F;
+    const float trust =
+        std::clamp((glm::dot(own, baked.fine) - kOtherFace) / (kSameFace - kOtherFace), 0.0F, 1.0F);
+    baked.fine = glm::normalize(glm::mix(baked.fine, own, trust));
     return baked;
 }
 
@@ -272,8 +276,7 @@ Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::F
                                            const PotLook& look) {
     const exporter::PotRings rings = exporter::rings_of(clay.rings());
     const double shrinkage = clay::shrunk_scale(clay.lump().body, stage);
-    auto pot = exporter::build_pot_solid(
-        rings, {.shrinkage = shrinkage, .most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
+    auto pot = exporter::viewed_solid(clay, stage);
     if (!pot) return pot.error();
     const PotPictures pictures = bake(pot->picture_rows, rings, shrinkage, look);
     asset::Material material{

@@ -32,6 +32,18 @@ bool is_edge(const SurfaceRow& before, const SurfaceRow& row, const SurfaceRow& 
     return false;
 }
 
+// The row on the straight surface between two others.
+SurfaceRow between(const SurfaceRow& from, const SurfaceRow& to, double fraction) {
+    SurfaceRow row{.y_mm = glm::mix(from.y_mm, to.y_mm, fraction),
+                   .radius_mm = glm::mix(from.radius_mm, to.radius_mm, fraction),
+                   .centre_mm = glm::mix(from.centre_mm, to.centre_mm, fraction),
+                   .inside = fraction < 0.5 ? from.inside : to.inside,
+                   .dents_mm = from.dents_mm};
+    for (std::size_t k = 0; k < row.dents_mm.size(); ++k)
+        row.dents_mm[k] = glm::mix(from.dents_mm[k], to.dents_mm[k], fraction);
+    return row;
+}
+
 // Gap between two walks in the pictures, so that they do not bleed into each other.
 constexpr double kBetweenWalksMm = 3.0;
 
@@ -60,6 +72,51 @@ std::vector<dvec2> unit_circle(int n) {
 
 double distance_mm(const SurfaceRow& a, const SurfaceRow& b) {
     return std::hypot(b.radius_mm - a.radius_mm, b.y_mm - a.y_mm);
+}
+
+Walk rounded(const Walk& walk, const Rounding& rounding, int corners) {
+    const std::vector<SurfaceRow>& rows = walk.rows;
+    const std::vector<dvec2> circle = unit_circle(corners);
+    // The row on the way from an edge to its neighbour where the rounding begins; the edge itself if it is
+    // too short.
+    const auto begin_of = [&](const SurfaceRow& edge, const SurfaceRow& neighbour) {
+        const double length_mm = distance_mm(edge, neighbour);
+        const double begin_mm = std::min(rounding.within_mm, length_mm / 3.0);
+        return begin_mm < 2.0 * rounding.apart_mm ? edge : between(edge, neighbour, begin_mm / length_mm);
+    };
+    const auto middle_of_disc = [](const SurfaceRow& rim) {
+        SurfaceRow middle = rim;
+        middle.radius_mm = 0.0;
+        return middle;
+    };
+    Walk out{.meets_itself = walk.meets_itself, .is_smooth = true};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool is_end = i == 0 || i + 1 == rows.size();
+        const SurfaceRow before = i == 0 ? middle_of_disc(rows[i]) : rows[i - 1];
+        const SurfaceRow after = i + 1 == rows.size() ? middle_of_disc(rows[i]) : rows[i + 1];
+        const SurfaceRow from = begin_of(rows[i], before);
+        const SurfaceRow to = begin_of(rows[i], after);
+        const bool has_room_before = distance_mm(from, rows[i]) > 0.0;
+        const bool has_room_after = distance_mm(to, rows[i]) > 0.0;
+        const bool is_sharp = is_end ? !walk.meets_itself : is_edge(before, rows[i], after, circle);
+        if (!is_sharp || !has_room_before || !has_room_after) {
+            const bool in_disc = is_sharp && is_end;
+            if (in_disc && i == 0 && has_room_before) out.rows.push_back(from);
+            out.rows.push_back(rows[i]);
+            if (in_disc && i > 0 && has_room_after) out.rows.push_back(to);
+            continue;
+        }
+        // A flat ring keeps the disc's normal from the parabola.
+        const auto twice = [&](const SurfaceRow& begin) { return between(rows[i], begin, 2.0); };
+        if (i == 0) out.rows.push_back(twice(from));
+        // The middle of the parabola that touches both sides.
+        out.rows.push_back(from);
+        out.rows.push_back(between(rows[i], between(from, to, 0.5), 0.5));
+        out.rows.back().inside = rows[i].inside;
+        out.rows.push_back(to);
+        if (i + 1 == rows.size()) out.rows.push_back(twice(to));
+    }
+    return out;
 }
 
 SurfaceBuilder::SurfaceBuilder(int corners, bool unwraps)
@@ -143,7 +200,9 @@ void SurfaceBuilder::add_walk(const Walk& walk) {
         along_mm_ += distance_mm(rows[i - 1], rows[i]);
         std::uint32_t to = add_row(rows[i]);
         add_band(from, to);
-        if (i + 1 < rows.size() && is_edge(rows[i - 1], rows[i], rows[i + 1], circle_)) to = add_row(rows[i]);
+        const bool is_parted =
+            !walk.is_smooth && i + 1 < rows.size() && is_edge(rows[i - 1], rows[i], rows[i + 1], circle_);
+        if (is_parted) to = add_row(rows[i]);
         from = to;
     }
     if (walk.meets_itself) {

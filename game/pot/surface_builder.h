@@ -43,7 +43,18 @@ constexpr double kNarrowestOpeningMm = 0.02;
 struct Walk {
     std::vector<SurfaceRow> rows{};
     bool meets_itself = false;
+    bool is_smooth = false;  // shares the normals of its edges instead of doubling their corners
 };
+
+// The walk as a glaze covers it: smooth, and each edge, also of a closing disc, is a parabola of three rows.
+// It begins within_mm from the edge, or a third of the way to the next row if that is less; an edge without
+// room for rows apart_mm from each other stays where it is, smooth; a small disc and the foot of a walk that
+// meets itself keep their edges.
+struct Rounding {
+    double within_mm = 0.0;
+    double apart_mm = 0.0;
+};
+[[nodiscard]] Walk rounded(const Walk& walk, const Rounding& rounding, int corners);
 
 class SurfaceBuilder {
   public:
@@ -70,7 +81,6 @@ class SurfaceBuilder {
     void finish_normals();
 
     [[nodiscard]] const std::vector<Strip>& strips() const { return strips_; }  // in the order of the walks
-    [[nodiscard]] double along_mm() const { return along_mm_; }                 // length of all walks
     // Direction of a strip's vertex about the axis, in turns from the clay's direction 0; for unwrapped
     // surfaces.
     [[nodiscard]] double turns(const Strip& strip, std::uint32_t k) const;

@@ -20,6 +20,10 @@ enum class Tool : std::uint8_t {
 // hand.
 constexpr unsigned kClayTools = 4;
 constexpr std::array<std::string_view, kClayTools> kToolWords{"hand", "rib", "sponge", "trimmer"};
+// Whether it scrapes the clay rather than slides on it.
+[[nodiscard]] constexpr bool is_hard(Tool held) {
+    return held == Tool::kRib || held == Tool::kTrimmer;
+}
 
 // The side of the wall that a hand is on or aims at. The aim has no effect once the hand is at the clay, and
 // never takes a hand through a wall.

@@ -11,6 +11,7 @@
 #include "engine/math/math.h"
 #include "engine/render/scene.h"
 #include "game/pot/pot.h"
+#include "game/tool/tool.h"
 #include "game/wheel/shavings.h"
 #include "game/wheel/tool_models.h"
 #include "game/wheel/tool_pose.h"
@@ -84,7 +85,9 @@ struct Shaved {
 
 // A tool with a place on the bench.
 struct BenchTool {
+    tool::Tool tool = tool::Tool::kRib;
     ToolModel model = ToolModel::kRib;
+    vec2 target_u{0.0F};          // width and height that a finger can touch, in units of the screens
     bool is_photographed = true;  // false: it is drawn while it lies there
     bool lies_there = true;
     double yaw_rad = 0.0;  // as in placed()

@@ -16,6 +16,7 @@ struct LiveView::Impl {
     std::unique_ptr<LiveScreen> screen;  // destroyed before the window
     std::unique_ptr<WheelScene> scene;
     std::string workshop_lack;
+    std::string touch_lack;
     std::vector<window::Event> fed;
     std::vector<window::Gamepad> fed_pads;
     bool close_requested = false;
@@ -43,6 +44,9 @@ Result<void> LiveView::Impl::open(const LiveViewOptions& options) {
         auto opened = window::open_window(desc);
         if (!opened) return opened.error();
         window = std::move(*opened);
+        remarks.push_back("window: on " + window->platform());
+        if (std::string lack = window->why_no_touches(); !lack.empty())
+            touch_lack = "window: no touch screen is read: " + std::move(lack);
     }
     auto made = LiveScreen::open(*window, {.size = {options.width, options.height},
                                            .validation = options.validation,
@@ -154,6 +158,10 @@ std::vector<window::Gamepad> LiveView::gamepads() const {
 
 const std::string& LiveView::workshop_lack() const {
     return impl_->workshop_lack;
+}
+
+const std::string& LiveView::touch_lack() const {
+    return impl_->touch_lack;
 }
 
 bool LiveView::close_requested() const {

@@ -59,6 +59,8 @@ class LiveView {
     [[nodiscard]] bool close_requested() const;
     // The reason why a small still life is shown instead of the room; empty if the room is shown.
     [[nodiscard]] const std::string& workshop_lack() const;
+    // The reason why fingers on a touch screen are not read; empty if they are, and when headless.
+    [[nodiscard]] const std::string& touch_lack() const;
     void set_title(const std::string& title);
     void set_full_screen(bool full_screen);
 

@@ -18,8 +18,6 @@
 namespace onggi::wheel {
 namespace {
 
-constexpr std::array<const char*, kToolModels - 2> kFiles{"hand_outer", "hand_inner", "rib", "sponge",
-                                                          "trimmer",    "stick",      "wire"};
 // A tool with more triangles would use up a software renderer's whole frame.
 constexpr asset::GltfLimits kLimits{.max_bytes = std::size_t{4} << 20,
                                     .max_vertices = 20'000,
@@ -136,7 +134,7 @@ std::shared_ptr<const render::PropLibrary> ball_alone() {
 
 Result<std::shared_ptr<const render::PropLibrary>> load_tool_models(const std::filesystem::path& folder) {
     auto library = std::make_shared<render::PropLibrary>(*ball_alone());
-    for (const char* file : kFiles) {
+    for (const char* file : kToolFiles) {
         auto model = read_model(folder / (std::string(file) + ".glb"));
         if (!model) return model.error();
         library->push_back(std::move(*model));

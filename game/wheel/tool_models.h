@@ -2,6 +2,7 @@
 // loading.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -26,6 +27,9 @@ enum class ToolModel : std::size_t {
     kCount,
 };
 constexpr std::size_t kToolModels = static_cast<std::size_t>(ToolModel::kCount);
+// The GLB files of the models between kBall and kCurl, which are built here.
+constexpr std::array<const char*, kToolModels - 2> kToolFiles{"hand_outer", "hand_inner", "rib", "sponge",
+                                                              "trimmer",    "stick",      "wire"};
 constexpr float kBallRadiusMm = 10.0F;
 
 // Index of a model, or of its mirror image in z for a left hand.

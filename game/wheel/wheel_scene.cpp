@@ -389,14 +389,19 @@ struct LyingTool {
     BenchTool tool;
     dvec3 at_mm;
 };
-constexpr std::array kLying{LyingTool{{.model = ToolModel::kSponge}, {300.0, -45.0, 45.0}},
-                            LyingTool{{.model = ToolModel::kWire}, {-325.0, -50.0, -128.0}},
-                            LyingTool{{.model = ToolModel::kRib,
-                                       .is_photographed = false,
-                                       .lies_there = false,
-                                       .yaw_rad = -0.35,
-                                       .lean_rad = 0.28},
-                                      {268.0, -22.0, -58.0}}};
+constexpr std::array kLying{
+    LyingTool{{.tool = tool::Tool::kSponge, .model = ToolModel::kSponge, .target_u = {112.0F, 94.0F}},
+              {300.0, -45.0, 45.0}},
+    LyingTool{{.tool = tool::Tool::kWire, .model = ToolModel::kWire, .target_u = {250.0F, 78.0F}},
+              {-325.0, -50.0, -128.0}},
+    LyingTool{{.tool = tool::Tool::kRib,
+               .model = ToolModel::kRib,
+               .target_u = {80.0F, 130.0F},
+               .is_photographed = false,
+               .lies_there = false,
+               .yaw_rad = -0.35,
+               .lean_rad = 0.28},
+              {268.0, -22.0, -58.0}}};
 
 }  // namespace
 
@@ -535,9 +540,9 @@ void WheelScene::shave(double shaved_mm3, const dvec3& from_mm) {
     shaved.from_mm = from_mm;
 }
 
-void WheelScene::lay_on_bench(ToolModel tool, bool lies_there) {
+void WheelScene::lay_on_bench(tool::Tool tool, bool lies_there) {
     registry_.each<BenchTool>([&](ecs::Entity, BenchTool& on_bench) {
-        if (on_bench.model == tool) on_bench.lies_there = lies_there;
+        if (on_bench.tool == tool) on_bench.lies_there = lies_there;
     });
 }
 

@@ -86,7 +86,7 @@ class WheelScene {
     // The volume cut off since the trimmer was picked up, and the place of the cut; 0 removes the shavings.
     void shave(double shaved_mm3, const dvec3& from_mm);
     // Whether the tool lies at its place on the bench.
-    void lay_on_bench(ToolModel tool, bool lies_there);
+    void lay_on_bench(tool::Tool tool, bool lies_there);
     // Puts another pot on the wheel (if the entity is not alive), or replaces that entity's pot.
     // registry().destroy() takes it down again.
     void put_on_wheel(ecs::Entity& entity, const PotApart& pot, const OnWheel& on_wheel = {});

@@ -21,8 +21,9 @@ using testing::kSpaceMouse;
 using testing::MockBus;
 using testing::MockHid;
 
-// A mock's reports are one stream of bytes: two pending reports would be read as one, and reports sent before
-// the device is opened are repeated. So each report waits until it is requested.
+// A mock's reports are one stream of bytes (findings/umockdev-joins-hidraw-reports-and-never-hangs-up.sh):
+// two pending reports would be read as one, and reports sent before the device is opened are repeated. So
+// each report waits until it is requested.
 constexpr std::array<std::uint8_t, 1> kAsked{0xff};
 
 void add_report(HidScript& script, const std::string& report) {

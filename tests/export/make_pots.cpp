@@ -72,9 +72,7 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
         !write(folder / (pot.name + ".glb"), look::dressed_glb(pot.clay, pot.stage, worn)))
         return false;
     const double scale = 1e-3 * clay::shrunk_scale(body, pot.stage);
-    const auto built =
-        exporter::build_pot_solid(exporter::rings_of(pot.clay.rings()),
-                                  {.most_triangles = exporter::kMaxSharedTriangles, .unwraps = true});
+    const auto built = exporter::viewed_solid(pot.clay, pot.stage);
     if (!built) return false;
     const auto outer = pot.clay.outer_mm();
     // Clay off its axis is wider across than twice its radius; the browser's check is for calm pots.

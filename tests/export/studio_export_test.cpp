@@ -2,6 +2,7 @@
 // and surface of its stage.
 #include "game/exporter/studio_export.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,7 +88,11 @@ TEST(StudioExport, IsTheSolidOfTheStlAs3mf) {
         const double volume_m3 = support::signed_volume_m3(*stl);
         EXPECT_NEAR(support::signed_volume_m3(file->mesh), volume_m3, 1e-6 * volume_m3) << pot.name;
         EXPECT_EQ(file->words.at("Application").rfind("Onggi ", 0), 0U);
-        EXPECT_NE(file->words.at("Title").find("mm high"), std::string::npos);
+        EXPECT_EQ(
+            file->words.at("Title"),
+            fmt::format("Onggi pot, {}, {:.1f} mm high", exporter::pot_name(pot.clay.lump().body, pot.stage),
+                        pot.clay.height_mm() * clay::shrunk_scale(pot.clay.lump().body, pot.stage)));
+        EXPECT_EQ(file->words.at("Title").find("glaze "), std::string::npos);
         const double thinnest_mm =
             clay::measure_pot(pot.clay.rings(), pot.clay.lump().body, pot.stage).thinnest_wall_mm;
         const bool is_thin = thinnest_mm > 0.0 && thinnest_mm < 2.0;

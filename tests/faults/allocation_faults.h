@@ -1,4 +1,4 @@
-// Injects failures of memory: counts this process's allocations, those of operator new and those of C
+// Injects allocation failures: counts this process's allocations, those of operator new and those of C
 // libraries, and lets the chosen one, or all from it on, return nothing. The program's code is unchanged: the
 // test program interposes the C library's functions (malloc, calloc, ...). Any thread.
 #pragma once

@@ -1,8 +1,8 @@
-// At each allocation of an action of the kiosk, memory runs short, once or for good: the action is done all
-// the same, or fails with an error, or ends the program in one line with exit code 3; never a crash. Then the
-// checks of every_write_test.cpp hold, and a pot that is kept is the same to the byte as without a shortage.
-// ONGGI_EVERY_FAULT=1 tries every allocation both ways; without it the first sixty of each action are tried,
-// and two dozen more, evenly spread.
+// Lets each allocation of a kiosk's action fail, alone or with all after it. The action must succeed, fail
+// with an error, or end the program with one line and exit code 3; it must not crash. Afterwards the checks
+// of every_write_test.cpp hold, and a kept pot has the same bytes as without the failure. ONGGI_EVERY_FAULT=1
+// tries every allocation both ways; without it the first sixty of each action are tried, and two dozen more,
+// evenly spread.
 #include <fcntl.h>
 
 #include <cstdio>
@@ -49,7 +49,7 @@ class EveryAllocation : public ForkedDeed, public testing::WithParamInterface<De
             ::dup2(said_, STDERR_FILENO);
             app::report_crashes();
             run_short(shortage, at);
-            // As a thread of the kiosk, which ends the program by what it throws.
+            // Like a thread of the kiosk: an exception ends the program.
             const auto beside = [&]() noexcept { return GetParam().act(museum); };
             told.is_done = beside();
             end_shortage();
@@ -65,7 +65,7 @@ class EveryAllocation : public ForkedDeed, public testing::WithParamInterface<De
             said(), std::regex("(.*\n)?onggi: expected memory for the thread [a-z_]+, found none left\n")))
             << said();
     }
-    // The museum after the action, by all its files. The same one is checked once an action.
+    // All files after the action. Each distinct result is checked once an action.
     void expect_sound_museum(const fs::path& museum, bool said_done) {
         Files now = files_in(museum);
         const auto same = [&](const fs::path& pot, const fs::path& as) {

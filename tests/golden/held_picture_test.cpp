@@ -1,12 +1,15 @@
 // The live picture redraws only the dirty parts of a target: earlier content must be gone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "engine/render/quality.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
 #include "game/wheel/wheel_scene.h"
@@ -215,6 +218,29 @@ TEST_F(HeldPicture, ReportsTheTimeOfHostAndDevice) {
         EXPECT_EQ(ms_of(name, true), 3.0) << name;
     EXPECT_GT(ms_of("copies", false), 0.0);
     EXPECT_EQ(parts.size(), 4U);
+}
+
+// The quality ladder believes the device's clock.
+TEST_F(HeldPicture, MeasuresTheDeviceUntilItHasDrawn) {
+    for (const auto step : {render::QualityStep::kSlowestGpu, render::QualityStep::kIntegratedGpu}) {
+        auto drawn =
+            render::Renderer::create(*device_, render::quality_desc(step, vk::Offscreen::kFormat, kHeight))
+                .value();
+        auto shown = target();
+        double wall_ms = 0.0;  // of the frame that the next one reports
+        double best = 0.0;
+        for (int frame = 0; frame < 4; ++frame) {
+            GoldenScene lifted = pulling_;
+            lifted.tool_position_mm.y += 5.0 * frame;
+            ASSERT_TRUE(drawn->draw(scene_of(lifted), *shown));
+            const auto submitted = std::chrono::steady_clock::now();
+            if (frame > 0) best = std::max(best, drawn->stats().device_ms / wall_ms);
+            ASSERT_TRUE(shown->wait());
+            wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - submitted)
+                          .count();
+        }
+        EXPECT_GT(best, 0.8) << render::quality_name(step);
+    }
 }
 
 // The first frame of a screen's fade-out still shows only the screen.

@@ -56,6 +56,54 @@ TEST(House, EveryIncludeIsAllowed) {
     }
 }
 
+// The lines in which two arguments of one call draw random numbers. The compiler chooses the order of
+// arguments, so that the same seed gives other numbers with another compiler; inside braces the order is that
+// of the text.
+std::vector<int> unordered_draws(const std::string& text) {
+    static const std::regex draw(R"(\(\s*(random|chance|dice)\s*\)|\b(random|chance)\(\)|\bdice\.\w+\()");
+    struct Open {
+        char bracket;
+        std::size_t argument_at;
+        int drawing = 0;
+    };
+    std::vector<Open> open;
+    std::vector<int> found;
+    const auto end_argument = [&](std::size_t at) {
+        const auto begin = text.begin() + static_cast<std::ptrdiff_t>(open.back().argument_at);
+        if (std::regex_search(begin, text.begin() + static_cast<std::ptrdiff_t>(at), draw))
+            ++open.back().drawing;
+        open.back().argument_at = at + 1;
+    };
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char letter = text[at];
+        if (letter == '(' || letter == '{') open.push_back({letter, at + 1});
+        if (open.empty() || (letter != ',' && letter != ')' && letter != '}')) continue;
+        if (open.back().bracket == '(' && letter != '}') end_argument(at);
+        if (letter == ',') continue;
+        if (open.back().drawing > 1)
+            found.push_back(1 + static_cast<int>(std::count(
+                                    text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')));
+        open.pop_back();
+    }
+    return found;
+}
+
+TEST(House, NoCallDrawsTwoRandomNumbersAmongItsArguments) {
+    for (const auto& [path, text] : sources()) {
+        if (path.ends_with("include_rules_test.cpp")) continue;  // the examples below
+        for (const int line : unordered_draws(text))
+            ADD_FAILURE() << path << ":" << line << ": expected a statement for each random number";
+    }
+}
+
+TEST(UnorderedDraws, AreThoseAmongACallsArguments) {
+    EXPECT_EQ(unordered_draws("at(1,\n across(random), up(random));"), std::vector<int>{2});
+    EXPECT_EQ(unordered_draws("at(dice.between(0, 1), r, dice.next());"), std::vector<int>{1});
+    EXPECT_EQ(unordered_draws("go({chance() % 3, 1}, {chance(), 2});"), std::vector<int>{1});
+    EXPECT_TRUE(unordered_draws("vec2{across(random), up(random)}; at(up(random), 1);").empty());
+    EXPECT_TRUE(unordered_draws("go({across(random), up(random)}, 1); random(); f(a, b);").empty());
+}
+
 TEST(House, EveryHeaderHasADocstringAndAGuard) {
     for (const auto& [path, text] : sources()) {
         if (!path.ends_with(".h")) continue;

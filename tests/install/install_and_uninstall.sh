@@ -31,8 +31,8 @@ for file in usr/bin/onggi usr/lib/onggi/kiosk usr/lib/systemd/system/onggi-kiosk
 done
 cmp assets/udev/70-onggi.rules "$root/usr/lib/udev/rules.d/70-onggi.rules"
 [ -x "$root/usr/lib/onggi/kiosk" ] || fail "expected a starter that can be run"
-sh -n "$root/usr/lib/onggi/kiosk"
-said=$(ONGGI_QUARTER_TURNS=5 sh "$root/usr/lib/onggi/kiosk" start 2>&1) && fail "expected no start with five quarter turns"
+bash -n "$root/usr/lib/onggi/kiosk"
+said=$(ONGGI_QUARTER_TURNS=5 "$root/usr/lib/onggi/kiosk" start 2>&1) && fail "expected no start with five quarter turns"
 [ "$said" = "kiosk: expected 0 to 3 in ONGGI_QUARTER_TURNS, found '5'" ] || fail "expected to be told so, found: $said"
 if grep -rn '@[A-Z_]*@' "$root/usr/lib/systemd" "$root/usr/lib/tmpfiles.d" "$root/usr/lib/onggi"; then
     fail "expected every place filled in"

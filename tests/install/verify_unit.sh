@@ -46,5 +46,8 @@ check_unit() {
     done < <(sed -n '/^\[Service\]/,/^\[Install\]/{/^[A-Z].*=/p}' "$unit")
     echo "$1: exposure $reach; each of $lines lines is missed, $worse by systemd's reckoning too"
 }
+# Debian 12's cage ends with 0 however the wheel ended (findings/cage-exits-0-however-its-client-ended.sh): after a crash
+# any other value would leave the display black.
+grep -qx 'Restart=always' "$units/onggi-kiosk.service" || { echo "expected Restart=always for the kiosk"; exit 1; }
 check_unit onggi-kiosk WatchdogSec WatchdogSeconds 2.6
 check_unit onggi-share LoadCredential LoadCredentials 1.6

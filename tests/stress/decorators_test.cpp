@@ -152,9 +152,11 @@ TEST_F(Decorators, DrawAWaveAndAScribbleOfIron) {
     expect_drawn_along(wave, 2.0);
     std::mt19937 chance(5);
     std::vector<dvec2> corners;
-    for (int i = 0; i < 8; ++i)
-        corners.push_back(at(-0.5 + 0.125 * static_cast<double>(chance() % 9),
-                             -0.35 + 0.03 * static_cast<double>(chance() % 9)));
+    for (int i = 0; i < 8; ++i) {
+        const double height = -0.35 + 0.03 * static_cast<double>(chance() % 9);
+        const double across = -0.5 + 0.125 * static_cast<double>(chance() % 9);
+        corners.push_back(at(across, height));
+    }
     expect_drawn_along(between(corners), 2.0);
     EXPECT_EQ(kiosk.state().decorating.strokes, 2);
 }

@@ -93,8 +93,9 @@ TEST(AKilledWheel, LeavesEveryPotWholeAndTheVisitToBePickedUp) {
     };
     int kill = 0;
     for (; kill < kills() || lacks_moments(kill); ++kill) {
-        const std::string said = live_and_die(gallery, static_cast<unsigned>(chance()), 1 + chance() % 5,
-                                              static_cast<int>(chance() % 600));
+        const auto late_ms = static_cast<int>(chance() % 600);
+        const auto moments = 1 + chance() % 5;
+        const std::string said = live_and_die(gallery, static_cast<unsigned>(chance()), moments, late_ms);
         ASSERT_FALSE(said.empty()) << "it was never at work";
         while_throwing += said.back() == stress::kThrows || said.back() == stress::kResumed ? 1 : 0;
         threw_on += said.back() == stress::kThrewOn ? 1 : 0;

@@ -327,7 +327,8 @@ void UnseenKiosk::stroke(const std::vector<dvec2>& way_mm, double seconds, std::
     constexpr double kAimMm = 2.0;
     constexpr double kStaysS = 0.25;  // so that the hands come after
     std::normal_distribution<double> aim(0.0, kAimMm);
-    const dvec2 miss_mm(aim(chance), aim(chance));
+    const double miss_up_mm = aim(chance);
+    const dvec2 miss_mm(aim(chance), miss_up_mm);
     const double legs = static_cast<double>(way_mm.size() - 1);
     const auto begun = std::chrono::steady_clock::now();
     double since_s = 0.0;

@@ -134,8 +134,10 @@ TEST(ToolsInHand, NoRibOrSpongeRuinsAPot) {
         finger.input.tool = tool;
         finger.input.radius_mm = 20.0;
         finger.input.water = 0.25;
-        for (int stroke = 0; stroke < 60; ++stroke)
-            finger.stroke({across(random), up(random)}, {across(random), up(random)}, 0.5);
+        for (int stroke = 0; stroke < 60; ++stroke) {
+            const dvec2 to{across(random), up(random)};
+            finger.stroke({across(random), up(random)}, to, 0.5);
+        }
         EXPECT_EQ(finger.clay.failure().cause, Cause::kNone) << static_cast<int>(tool);
         EXPECT_GT(finger.clay.height_mm(), 105.0) << static_cast<int>(tool);
         EXPECT_GT(finger.clay.volume_mm3(), 0.98 * volume_mm3) << static_cast<int>(tool);

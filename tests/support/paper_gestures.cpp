@@ -91,8 +91,10 @@ std::vector<ToolInput> random_gesture(std::uint64_t seed, int ticks) {
         if (kind < 0.2) r_mm = dice.between(20.0, 55.0);  // deep
         if (kind < 0.05) r_mm = -tool_radius_mm;          // to the axis
         if (kind > 0.9) r_mm = dice.between(61.0, 90.0);  // distance from the clay
-        const ToolInput to =
-            at(r_mm, dice.between(-20.0, 220.0), dice.between(-3.0, 3.0), tool_radius_mm, turning);
+        // One statement each: the order of two calls among a call's arguments is the compiler's.
+        const double bearing_rad = dice.between(-3.0, 3.0);
+        const double y_mm = dice.between(-20.0, 220.0);
+        const ToolInput to = at(r_mm, y_mm, bearing_rad, tool_radius_mm, turning);
         const int steps = 1 + static_cast<int>(dice.between(1.0, 400.0));
         for (int step = 1; step <= steps; ++step) {
             const double part = static_cast<double>(step) / steps;

@@ -91,7 +91,7 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
             finger_.release();
             if (const auto tapped = bench_.lift())
                 dispatch(kiosk::event::Pressed{kiosk::Button::kTakeTool,
-                                               static_cast<int>(kiosk::tray_place(*tapped))});
+                                               static_cast<int>(visit::tray_place(*tapped))});
         }
         if (news.kind == Kind::kHovered) finger_.hover(place_at(news.at_px));
     }

@@ -137,33 +137,16 @@ void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
     edges_.smooth(built.edges, {moving.x + 1, moving.y + 1, moving.width - 2, moving.height - 2}, canvas);
 }
 
-// Tiles that the lathe covers wholly only need their depth cleared; the other moving tiles get a copy of the
-// kept view's pixels and depth.
+// Copies the kept view's pixels and depth to the moving tiles.
 void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                             std::span<const float> depth, const PictureCanvas& canvas) {
     const TileGrid grid{canvas.size.width, canvas.size.height};
     const std::size_t width = frame.extent.width;
-    const std::span<const std::uint8_t> own = frame.built.moving_tiles;
-    wanted_.resize(own.size());
-    const auto for_rects = [&](auto is_wanted, auto visit) {
-        std::transform(own.begin(), own.end(), wanted_.begin(),
-                       [&](std::uint8_t tile) { return static_cast<std::uint8_t>(is_wanted(tile)); });
-        rects_of_tiles(grid, wanted_, rects_);
-        for (const PixelRect& rect : rects_)
-            visit(rect);
-    };
-    for_rects([](std::uint8_t tile) { return tile == kCovered; },
-              [&](const PixelRect& rect) {
-                  for (int y = rect.y; y < rect.y + rect.height; ++y) {
-                      const auto first = std::ptrdiff_t{y} * grid.width_px + rect.x;
-                      std::fill_n(canvas.depth.begin() + first, rect.width, 1.0F);
-                  }
-              });
-    for_rects([](std::uint8_t tile) { return tile == kMoves; },
-              [&](const PixelRect& rect) {
-                  copy_rect(pixels, rect, width, canvas.pixels);
-                  copy_rect(depth, rect, width, canvas.depth);
-              });
+    rects_of_tiles(grid, frame.built.moving_tiles, rects_);
+    for (const PixelRect& rect : rects_) {
+        copy_rect(pixels, rect, width, canvas.pixels);
+        copy_rect(depth, rect, width, canvas.depth);
+    }
 }
 
 Result<void> HostMoving::draw_over(const FrameContext& frame, std::span<const std::uint32_t> pixels,

@@ -123,7 +123,6 @@ class HostMoving {
     std::vector<SectionCorner> section_corners_;
     EdgePixels edges_;
     Framebuffer canvas_;
-    std::vector<std::uint8_t> wanted_;
     std::vector<PixelRect> rects_;
 };
 

@@ -118,7 +118,7 @@ void HostShade::note_light(const LightLevels& levels) {
 }
 
 bool HostShade::shade(const FrameContext& frame, const Scene& scene, const ShadeLayers& layers,
-                      std::span<const std::uint8_t> moving, TileNumbers& numbers) {
+                      TileNumbers& numbers) {
     const std::uint64_t shadow = shadow_hash(scene);
     const bool is_another = !has_mask_ || mask_of_ != shadow;
     if (is_another) {
@@ -136,7 +136,7 @@ bool HostShade::shade(const FrameContext& frame, const Scene& scene, const Shade
         }
         note_light(scene.levels);
     }
-    tiles_.take(moving, numbers.next(), rects_);
+    tiles_.take(numbers.next(), rects_);
     shade_pixels(layers, *mask_, shade_light(scene.levels, frame.desc.colour_format), rects_,
                  shaded_.as<std::uint32_t>());
     edges_.smooth(*mask_, rects_, shaded_.as<std::uint32_t>());
@@ -325,7 +325,7 @@ Result<void> KeptView::make_part(FrameContext& frame, const Scene& seen, const S
         shade_.learn(frame, layers_.layers());
         parts_made_ = kLearnt;
     } else {
-        shade_.shade(frame, now, layers_.layers(), {}, numbers);
+        shade_.shade(frame, now, layers_.layers(), numbers);
         parts_made_ = kShaded;
     }
     return {};

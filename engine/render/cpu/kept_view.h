@@ -83,11 +83,10 @@ class HostShade {
     // The layers have changed: everything must be shaded again.
     void learn(const FrameContext& frame, const ShadeLayers& layers);
 
-    // Updates the shaded picture in the tiles where shade or light has changed and that `moving` leaves
-    // visible (see ShadeTiles::take()). Returns whether the shade changed. `frame.built` must be this
-    // frame's. The device is idle.
+    // Updates the shaded picture in the tiles where shade or light has changed (see ShadeTiles::take()).
+    // Returns whether the shade changed. `frame.built` must be this frame's. The device is idle.
     bool shade(const FrameContext& frame, const Scene& scene, const ShadeLayers& layers,
-               std::span<const std::uint8_t> moving, TileNumbers& numbers);
+               TileNumbers& numbers);
     // The shaded picture, as large as the frame, and the version of each of its tiles.
     [[nodiscard]] const vk::Buffer& shaded() const { return shaded_; }
     [[nodiscard]] const ShadeTiles& tiles() const { return tiles_; }
@@ -175,7 +174,7 @@ class KeptView {
 
     // Applies shade and light levels. Precondition: the view is complete. Returns whether the shade changed.
     bool shade(const FrameContext& frame, const Scene& scene, TileNumbers& numbers) {
-        return shade_.shade(frame, scene, layers_.layers(), frame.built.moving_tiles, numbers);
+        return shade_.shade(frame, scene, layers_.layers(), numbers);
     }
     [[nodiscard]] const vk::Buffer& shaded() const { return shade_.shaded(); }
     [[nodiscard]] std::span<const std::uint64_t> numbers() const { return shade_.tiles().numbers(); }

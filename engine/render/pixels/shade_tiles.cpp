@@ -226,14 +226,12 @@ void ShadeTiles::note_light(LightChange change) {
     std::fill(noted.begin(), noted.end(), std::uint8_t{1});
 }
 
-void ShadeTiles::take(std::span<const std::uint8_t> moving, std::uint64_t number,
-                      std::vector<PixelRect>& rects) {
+void ShadeTiles::take(std::uint64_t number, std::vector<PixelRect>& rects) {
     waiting_rows_ = 1 - waiting_rows_;
     is_due_ = is_stale_;
     for (std::size_t tile = 0; tile < is_due_.size(); ++tile) {
         const int row = static_cast<int>(tile) / grid_.across();
         if (may_wait_[tile] != 0 && row % 2 != waiting_rows_) is_due_[tile] = 1;
-        if (!moving.empty() && moving[tile] == kCovered) is_due_[tile] = 0;
         if (is_due_[tile] == 0) continue;
         is_stale_[tile] = 0;
         may_wait_[tile] = 0;

@@ -62,10 +62,9 @@ class ShadeTiles {
     void note_mask(const ShadowMask& before, const ShadowMask& now);
     // The light has changed.
     void note_light(LightChange change);
-    // Returns the tiles to shade as rectangles, and assigns them `number`, which must be unused. Covered
-    // tiles wait until they are visible; of the tiles that may wait, every other row waits. `moving`: one
-    // entry per tile, or empty if nothing moves.
-    void take(std::span<const std::uint8_t> moving, std::uint64_t number, std::vector<PixelRect>& rects);
+    // Returns the tiles to shade as rectangles, and assigns them `number`, which must be unused. Of the
+    // tiles that may wait, every other row waits.
+    void take(std::uint64_t number, std::vector<PixelRect>& rects);
 
     [[nodiscard]] const TileGrid& grid() const { return grid_; }
     // 0 for tiles that were never shaded.

@@ -101,8 +101,7 @@ struct BuiltFrame {
     const LatheMarks* marks = nullptr;  // the scene's; null: no marks are shown
     LatheFaces faces;                   // empty: no lathe
     PixelRect moving;                   // where moving things can be seen
-    // For the CPU backend, one entry per tile: where something moves (kMoves, kCovered), and where hands and
-    // tools are.
+    // For the CPU backend, one entry per tile: 1 where something moves, and 1 where hands and tools are.
     std::vector<std::uint8_t> moving_tiles;
     std::vector<std::uint8_t> prop_tiles;
     float ring_error_px = 0.0F;

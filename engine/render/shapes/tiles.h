@@ -53,11 +53,6 @@ void for_tiles(const TileGrid& grid, const PixelRect& rect, Visit visit) {
     }
 }
 
-// The content that moves on a tile.
-constexpr std::uint8_t kNothingMoves = 0;
-constexpr std::uint8_t kMoves = 1;    // something moves in parts of the tile
-constexpr std::uint8_t kCovered = 2;  // moving things cover the whole tile and hide everything under them
-
 // Marks the tiles that the rectangle touches.
 void want_tiles(const TileGrid& grid, const PixelRect& rect, std::span<std::uint8_t> wanted);
 

@@ -149,7 +149,8 @@ Result<std::unique_ptr<wheel::LiveView>> open_view(const KioskOptions& options, 
 void warn_of_lacks(const KioskSettings& settings, const wheel::LiveView& view) {
     for (const std::string& line : settings.remarks)
         warn(line);
-    if (const std::string& lack = view.workshop_lack(); !lack.empty()) warn(lack);
+    for (const std::string& lack : {view.workshop_lack(), view.touch_lack()})
+        if (!lack.empty()) warn(lack);
     if (const std::string lack = screens::missing_fonts(); !lack.empty()) warn(lack);
     for (const std::string& lack : panel_lacks(settings.config, view.width(), view.height()))
         warn(lack);

@@ -1,6 +1,7 @@
 #include "game/app/command_line/options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <initializer_list>
@@ -76,7 +77,7 @@ void add_input_file(CLI::App& command, InputOptions& options) {
     command.add_option("file", options.file, "a gesture (.csv) or a recorded session (.onggi)")
         ->type_name("GESTURE.csv|SESSION.onggi")
         ->required();
-    command.footer(
+    command.footer(fmt::format(
         "A gesture is a table with the header line\n"
         "  t_s,x_mm,y_mm,z_mm,button,tool_radius_mm\n"
         "and rows with t_s rising from 0 to at most 3600. Position (wheel frame, y up from the wheel head, "
@@ -85,8 +86,8 @@ void add_input_file(CLI::App& command, InputOptions& options) {
         "hold from\n"
         "their row on. More columns may follow to the right; the studio clay uses those below. An empty\n"
         "field is treated like a missing column:\n"
-        "  tool             hand, rib, sponge or trimmer\n"
-        "  side             auto, outer, inner or rim: the side that an approaching hand aims at\n"
+        "  tool             {}\n"
+        "  side             {}: the side that an approaching hand aims at\n"
         "  water            0 dry to 1 dripping: hands that slide, a sponge that gives\n"
         "  wheel_rev_min    0 to 300: speed while the button is 1 (120)\n"
         "  assist_gap_mm    0 to 60: least gap to a second hand, which squeezes on the way up; 0 none\n"
@@ -98,7 +99,8 @@ void add_input_file(CLI::App& command, InputOptions& options) {
         "simulated\n"
         "                   hands follow it; 0 a ball in the clay (0)\n"
         "  pressing         0 or 1: hands that do not press do not touch the clay, wherever they are (1)\n"
-        "The wheel head is at y = 0; a studio lump of 1000 g is a dome 124 mm wide and 50 mm high.");
+        "The wheel head is at y = 0; a studio lump of 1000 g is a dome 124 mm wide and 50 mm high.",
+        fmt::join(tool::kToolWords, ", "), fmt::join(tool::kSideWords, ", ")));
 }
 
 void add_rate_option(CLI::App& command, InputOptions& options) {

@@ -21,8 +21,8 @@
 namespace onggi::app {
 namespace {
 
-// What Landlock of version N can forbid is in the first N entries: the kernel refuses rules that it does not
-// know. The header of the oldest supported system names the rights of version 1 alone.
+// Landlock of version N knows the rights in the first N entries, and refuses rules that name others. The
+// header of the oldest supported system names only the rights of version 1.
 struct Forbidden {  // the kernel's struct landlock_ruleset_attr, version 6
     std::uint64_t files = 0;
     std::uint64_t tcp = 0;
@@ -42,7 +42,8 @@ constexpr std::array<Forbidden, 6> kForbidden{{
     {.processes = 0b11U},  // abstract sockets and signals outside
 }};
 
-// The calls of a server at work with all its sockets open: no new socket, process, program or user.
+// The system calls of a running server whose sockets are open: none creates a socket or process, or changes
+// the program or user.
 constexpr auto kCalls = std::to_array<int>({
     // files
     SCMP_SYS(openat),

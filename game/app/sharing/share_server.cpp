@@ -204,8 +204,8 @@ constexpr std::size_t kConnectionBytes = sharing::kMostHeadBytes;
 constexpr unsigned kSilentS = 15;  // a fallback: the deadlines are shorter
 constexpr double kSweepS = 0.25;
 
-// A connection. The library reads from it only while a whole head is there that sharing::read_head() has
-// found fine; at all other times the head is looked at without being taken from the socket (MSG_PEEK).
+// A connection. The library reads from it only when the socket holds a whole head that sharing::read_head()
+// accepts. Until then the head is inspected and stays in the socket (MSG_PEEK).
 struct Client {
     enum class State {
         kHead,     // waits for a whole head
@@ -220,12 +220,12 @@ struct Client {
     MHD_Connection* connection = nullptr;  // null before its first whole head; suspended but in kServed
     // Method and target of each head that the library may take; several if the client sends ahead.
     std::deque<std::string> heads{};
-    // What follows those heads is no whole head, and the library may have read it: the connection ends with
-    // the last answer.
+    // Bytes after those heads that are not a whole head: the library may have read them, so the connection
+    // is closed after the last answer.
     bool is_last = false;
 };
 
-// What the library and a look at the head agree upon.
+// The parts of a head in which the library and the inspection must agree.
 std::string line_of(std::string_view method, std::string_view target) {
     return fmt::format("{} {}", method, target);
 }
@@ -243,7 +243,7 @@ sharing::AddressKey key_of(const sockaddr_storage& address) {
     return sharing::key_of_ipv4(ipv4);
 }
 
-// Takes what has come from the socket. False: the other side has closed.
+// Reads all received bytes from the socket. Returns false if the client has closed the connection.
 bool drain(int socket) {
     std::array<char, 4096> bytes{};
     ssize_t got = 0;
@@ -351,7 +351,7 @@ class MicroServer final : public ShareServer {
         bool is_known = false;
     };
 
-    // The gate: connections whose head is not there yet.
+    // The gate: connections without a whole head.
 
     // Wakes look_at(), which ends the connection.
     static void cut(int socket) { ::shutdown(socket, SHUT_RDWR); }
@@ -390,8 +390,8 @@ class MicroServer final : public ShareServer {
         std::array<char, sharing::kMostHeadBytes> bytes;  // NOLINT: 8 kB that recv() fills
         const ssize_t got = ::recv(client.socket, bytes.data(), bytes.size(), MSG_PEEK | MSG_DONTWAIT);
         if (got < 0 && (errno == EAGAIN || errno == EINTR)) return;
-        // A TLS handshake (RFC 8446, 5.1): a browser that tries https first goes on to http as soon as it is
-        // closed.
+        // A TLS handshake (RFC 8446, 5.1): a browser that tries https first falls back to http when the
+        // connection is closed.
         constexpr char kHandshake = 0x16;
         if (got <= 0 || bytes[0] == kHandshake) return end(client);
         std::string_view rest(bytes.data(), static_cast<std::size_t>(got));
@@ -423,14 +423,15 @@ class MicroServer final : public ShareServer {
     void refuse(Client& client, int status) {
         drain(client.socket);
         const std::string text = refusal(status, options_.wall_s());
-        // A new connection's buffer takes it at once; a client that does not read gets no refusal.
+        // The send buffer of a new connection has room for it; a client that does not read misses the
+        // refusal.
         static_cast<void>(::send(client.socket, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT));
         ::shutdown(client.socket, SHUT_WR);
         client.state = Client::State::kRefused;
         deadlines_.refuses(client.deadline, options_.now_s());
     }
 
-    // Nothing that was not handed over reaches the library.
+    // The library sees only heads that were handed over.
     void end(Client& client) {
         drain(client.socket);
         if (client.connection != nullptr) {
@@ -515,7 +516,7 @@ class MicroServer final : public ShareServer {
         Client* const client = client_of(connection);
         if (request == nullptr || client == nullptr) return MHD_NO;
         if (!std::exchange(request->is_known, true)) {
-            // Bytes that came after the look at the head may have reached the library: closed unanswered.
+            // The library may have read bytes that arrived after the inspection: close without an answer.
             if (client->heads.empty() || client->heads.front() != line_of(method, request->target))
                 return MHD_NO;
             client->heads.pop_front();

@@ -1,5 +1,5 @@
 // Serves the outbox to phones over HTTP/1.1 (libmicrohttpd): no cookies, no log, no listing.
-// game/sharing/request_head.h decides which heads the library gets to see, and share_request.h what it
+// game/sharing/request_head.h decides which heads the library may read, and share_request.h determines the
 // answers. One thread, the one that calls run().
 #pragma once
 

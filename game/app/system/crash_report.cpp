@@ -97,12 +97,18 @@ const char* words_for(int signal) {
 bool for_journal = false;
 
 // Reports the caller of a null function pointer, for example of a driver: the call has no frame to unwind,
-// but the return address is on top of the stack (System V ABI, AMD64, 3.2.2).
+// but the return address is on top of the stack (System V ABI, AMD64, 3.2.2) or in the link register x30
+// (Procedure Call Standard for the Arm 64-bit Architecture, 6.1.1).
 void tell_who_called_nothing(const void* context) {
+#if defined(__x86_64__) || defined(__aarch64__)
+    const auto& machine = static_cast<const ucontext_t*>(context)->uc_mcontext;
 #ifdef __x86_64__
-    const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
-    if (registers[REG_RIP] != 0) return;
-    void* const caller = *reinterpret_cast<void* const*>(registers[REG_RSP]);
+    if (machine.gregs[REG_RIP] != 0) return;
+    void* const caller = *reinterpret_cast<void* const*>(machine.gregs[REG_RSP]);
+#else
+    if (machine.pc != 0) return;
+    void* const caller = reinterpret_cast<void*>(machine.regs[30]);
+#endif
     (Line(for_journal) << "a missing function was called from").write();
     ::backtrace_symbols_fd(&caller, 1, STDERR_FILENO);
 #else

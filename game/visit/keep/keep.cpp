@@ -22,14 +22,28 @@ constexpr float kCodeSide = 248.0F;
 constexpr float kLeastCodeMm = 60.0F;
 constexpr float kQuietModules = 4.0F;
 
-// A module is a whole number of pixels, for sharp edges. The code is at least kLeastCodeMm wide if the card
-// has room.
+float least_code(const Page& page) {
+    return kLeastCodeMm * static_cast<float>(page.view().px_per_mm) / page.px_per_u();
+}
+
+// The side of a code together with its quiet zone.
+float with_quiet_zone(const PhoneCode& code, float side) {
+    return side * (1.0F + 2.0F * kQuietModules / static_cast<float>(code.side));
+}
+
+// Whether a card has room for a code of kLeastCodeMm, its quiet zone, and lines of that height. On a small
+// panel the code needs the room of the less important lines.
+bool has_room(const Page& page, const Rect& card, const PhoneCode& code, float lines) {
+    return with_quiet_zone(code, least_code(page)) <= card.height - lines;
+}
+
+// A module is a whole number of pixels, for sharp edges. The code is at least kLeastCodeMm wide if the square
+// `room` holds it and its quiet zone. Returns the code with its quiet zone, whose top is that of the room.
 Rect add_code(Page& page, const PhoneCode& code, vec2 top_middle, float room) {
     const auto modules = static_cast<float>(code.side);
     const float px_per_u = page.px_per_u();
-    const float least = kLeastCodeMm * static_cast<float>(page.view().px_per_mm) / px_per_u;
-    const float most = room * modules / (modules + 2.0F * kQuietModules);
-    const float wanted = std::min(std::max(kCodeSide, least), most);
+    const float most = room * room / with_quiet_zone(code, room);
+    const float wanted = std::min(std::max(kCodeSide, least_code(page)), most);
     const bool is_least = wanted > kCodeSide;  // then rounds up if the result fits
     const float exact = wanted * px_per_u / modules;
     float px = std::max(1.0F, is_least ? std::ceil(exact) : std::floor(exact));
@@ -47,9 +61,10 @@ Rect add_code(Page& page, const PhoneCode& code, vec2 top_middle, float room) {
     }
     ui::Sketch sketch;
     sketch.add(ui::Shape{.path = path, .fill = design::kInk});
-    const Rect place{top_middle.x - 0.5F * side, top_middle.y, side, side};
+    const Rect place{top_middle.x - 0.5F * side, top_middle.y + kQuietModules * module, side, side};
     page.sprite(place, std::move(sketch));
-    return place;
+    const float zone = with_quiet_zone(code, side);
+    return {top_middle.x - 0.5F * zone, top_middle.y, zone, zone};
 }
 
 Rect line_below(const Rect& card, float y, float height) {
@@ -66,18 +81,32 @@ Words quiet(std::string text) {
 }
 
 void add_ready(Page& page, const Rect& card, const PhoneWay& way) {
-    const Rect code = add_code(page, way.page, {card.centre().x, card.y + 28.0F}, card.width);
-    page.words(line_below(card, code.bottom() + 12.0F, 40.0F), strong(page.t("home.point")));
-    page.fixed_words(line_below(card, code.bottom() + 52.0F, 40.0F), strong(way.code));
-    page.words(line_below(card, code.bottom() + 92.0F, 36.0F), quiet(page.t("home.gone")));
+    constexpr float kLine = 40.0F;
+    constexpr float kLines = 2.0F * kLine + 36.0F;
+    const bool has_all = has_room(page, card, way.page, kLines);
+    const float room = std::min(card.width, card.height - (has_all ? kLines : kLine));
+    float y = add_code(page, way.page, {card.centre().x, card.y}, room).bottom();
+    if (has_all) page.words(line_below(card, y, kLine), strong(page.t("home.point")));
+    if (has_all) y += kLine;
+    page.fixed_words(line_below(card, y, kLine), strong(way.code));
+    if (has_all) page.words(line_below(card, y + kLine, 36.0F), quiet(page.t("home.gone")));
 }
 
 void add_wifi(Page& page, const Rect& card, const PhoneWay& way) {
-    page.words(line_below(card, card.y + 18.0F, 44.0F), strong(page.t("home.w1")));
-    const Rect code = add_code(page, *way.wifi, {card.centre().x, card.y + 74.0F}, card.width);
-    page.fixed_words(line_below(card, code.bottom() + 14.0F, 38.0F), strong(way.wifi_name));
-    page.fixed_words(line_below(card, code.bottom() + 52.0F, 34.0F),
-                     quiet(page.digits("1") + " / " + page.digits("2")));
+    constexpr float kTitle = 44.0F;
+    constexpr float kName = 38.0F;
+    constexpr float kStep = 34.0F;
+    const bool has_all = has_room(page, card, *way.wifi, kTitle + kName + kStep);
+    const float lines = kTitle + kName + (has_all ? kStep : 0.0F);
+    page.words(line_below(card, card.y + 3.0F, kTitle), strong(page.t("home.w1")));
+    const float y = add_code(page, *way.wifi, {card.centre().x, card.y + kTitle},
+                             std::min(card.width, card.height - lines))
+                        .bottom();
+    page.fixed_words(line_below(card, y, kName), strong(way.wifi_name));
+    if (has_all) {
+        page.fixed_words(line_below(card, y + kName, kStep),
+                         quiet(page.digits("1") + " / " + page.digits("2")));
+    }
 }
 
 void add_packing(Page& page, const Rect& card) {

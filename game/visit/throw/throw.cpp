@@ -83,8 +83,8 @@ void press_throw(Turn& turn, const event::Pressed& event) {
             throwing.tray = !throwing.tray;
             break;
         case Button::kTakeTool:
-            if (event.value < 0 || event.value >= static_cast<int>(kTrayTools.size())) break;
-            throwing.held = kTrayTools[static_cast<std::size_t>(event.value)];
+            if (event.value < 0 || event.value >= static_cast<int>(kTray.size())) break;
+            throwing.held = kTray[static_cast<std::size_t>(event.value)].tool;
             throwing.tray = false;
             break;
         case Button::kCut:
@@ -187,15 +187,13 @@ std::string_view spoken_while_throwing(const State& state) {
     if (state.throwing.warning != Warning::kNone) return warning_key(state.throwing.warning);
     if (state.throwing.shown) return "show.on";
     if (state.throwing.tray) return "tool.title";
-    constexpr std::array<std::string_view, kTrayTools.size()> kHeld{"", "tool.rib.line", "tool.sponge.line",
-                                                                    "wire.how"};
     if (state.throwing.jar.is_low) return "moon.low";
     if (state.throwing.jar.rims_apart) return "moon.more";
     if (state.throwing.jar.step == JarStep::kAside) return "moon.s2";
     if (state.throwing.jar.step == JarStep::kSeam) return "moon.s5";
     if (state.throwing.jar.step != JarStep::kNone && state.throwing.steps_done == 0)
         return state.throwing.jar.step == JarStep::kFirstBowl ? "moon.s1" : "moon.s3";
-    if (state.throwing.held != tool::Tool::kHand) return kHeld[tray_place(state.throwing.held)];
+    if (state.throwing.held != tool::Tool::kHand) return tray_tool(state.throwing.held).held_key;
     constexpr std::array<std::string_view, kTeachingSteps + 1> kSteps{"step.press", "step.open", "step.raise",
                                                                       "step.own"};
     return kSteps[static_cast<std::size_t>(state.throwing.steps_done)];
@@ -203,12 +201,11 @@ std::string_view spoken_while_throwing(const State& state) {
 
 // Adds the progress of the lesson and the clay's height, then the held tool, the tray, a demonstration.
 std::string title_of_throwing(const TitleFacts& facts) {
-    constexpr std::array<std::string_view, kTrayTools.size()> kHeldNames{"", "rib", "sponge", "wire"};
     const Throwing& throwing = facts.shown.throwing;
     std::string title =
         fmt::format(" - {} of {}, {:.0f} mm", throwing.steps_done, kTeachingSteps, facts.clay_mm);
     for (const std::string_view more :
-         {kHeldNames[tray_place(throwing.held)], std::string_view(throwing.tray ? "tools" : ""),
+         {tray_tool(throwing.held).title, std::string_view(throwing.tray ? "tools" : ""),
           std::string_view(throwing.shown ? "shown" : "")})
         if (!more.empty()) title += ", " + std::string(more);
     return title;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "game/screens/forces.h"
 #include "game/screens/page/ledge_parts.h"
@@ -15,10 +16,6 @@ namespace onggi::visit {
 namespace {
 
 using ui::Rect;
-
-constexpr std::array kHeldIcons{Icon::kHand, Icon::kRib, Icon::kSponge, Icon::kWire};
-constexpr std::array kHeldKeys{"tool.hand", "tool.rib", "tool.sponge", "tool.wire"};
-constexpr std::array kHeldLines{"tool.hand.line", "tool.rib.line", "tool.sponge.line", "tool.wire.line"};
 
 // Adds a small sign at the end of a token.
 void add_sign(Page& page, const Rect& rect, Icon icon, int target) {
@@ -113,8 +110,8 @@ void gauge(Page& page, const Rect& rect) {
 }
 
 void add_held_token(Page& page, const Rect& place, float label_width) {
-    const std::size_t held = tray_place(page.view().state.throwing.held);
-    const int target = add_round(page, place, kHeldIcons[held], Button::kTools, kHeldKeys[held], label_width);
+    const TrayTool& held = tray_tool(page.view().state.throwing.held);
+    const int target = add_round(page, place, held.icon, Button::kTools, held.name_key, label_width);
     add_sign(page, page.on_ledge(place), Icon::kMore, target);
 }
 
@@ -338,20 +335,20 @@ void add_guards(Page& page) {
 void add_tool_tray(Page& page) {
     const Throwing& throwing = page.view().state.throwing;
     const std::string& title = page.t("tool.title");
-    const std::string& line = page.t(kHeldLines[tray_place(throwing.held)]);
+    const std::string& line = page.t(tray_tool(throwing.held).line_key);
     const Setting size = size_setting(throwing);
     const float width = page.width();
     const float top = ledge_top(page);
     const float y = row_y(page);
-    const auto choices = [&](float x, float row, float pitch, float wide,
-                             std::initializer_list<tool::Tool> all) {
-        for (const tool::Tool held : all) {
+    constexpr std::size_t kAbove = 3;  // tools in the first row of a tall screen
+    const auto choices = [&](float x, float row, float pitch, float wide, std::span<const TrayTool> all) {
+        for (const TrayTool& one : all) {
             add_choice(page, {x, row, wide, 66.0F},
-                       {.icon = kHeldIcons[tray_place(held)],
-                        .key = kHeldKeys[tray_place(held)],
+                       {.icon = one.icon,
+                        .key = one.name_key,
                         .button = Button::kTakeTool,
-                        .value = static_cast<int>(tray_place(held)),
-                        .chosen = held == throwing.held},
+                        .value = static_cast<int>(tray_place(one.tool)),
+                        .chosen = one.tool == throwing.held},
                        label_height(page), 0.5F * (pitch - 8.0F - wide));
             x += pitch;
         }
@@ -359,22 +356,20 @@ void add_tool_tray(Page& page) {
     switch (page.shape()) {
         case Shape::kWide:
             add_lines(page, {34.0F, top + 20.0F, 306.0F, 116.0F + growth(page).labels}, title, line);
-            choices(358.0F, y, 146.0F, 130.0F,
-                    {tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire});
+            choices(358.0F, y, 146.0F, 130.0F, kTray);
             add_stepper(page, {942.0F, y, 160.0F, 66.0F}, size, false);
             add_back(page, {width - 162.0F, y, 130.0F, 66.0F});
             return;
         case Shape::kSquare:
             add_lines(page, {32.0F, top + 12.0F, width - 64.0F, 74.0F + growth(page).caption}, title, line);
-            choices(32.0F, y, 130.0F, 112.0F,
-                    {tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge, tool::Tool::kWire});
+            choices(32.0F, y, 130.0F, 112.0F, kTray);
             add_stepper(page, {width - 384.0F, y, 164.0F, 66.0F}, size, false);
             add_back(page, {width - 170.0F, y, 138.0F, 66.0F});
             return;
         case Shape::kTall:
             add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 84.0F + growth(page).caption}, title, line);
-            choices(32.0F, y, 228.0F, 200.0F, {tool::Tool::kHand, tool::Tool::kRib, tool::Tool::kSponge});
-            choices(32.0F, second_row_y(page), 228.0F, 200.0F, {tool::Tool::kWire});
+            choices(32.0F, y, 228.0F, 200.0F, std::span(kTray).first(kAbove));
+            choices(32.0F, second_row_y(page), 228.0F, 200.0F, std::span(kTray).subspan(kAbove));
             add_stepper(page, {260.0F, second_row_y(page), 200.0F, 66.0F}, size, false);
             add_back(page, {width - 200.0F, second_row_y(page), 168.0F, 66.0F});
             return;
@@ -449,7 +444,7 @@ void add_throw_ledge(Page& page) {
             done < kTeachingSteps ? kStepKeys[static_cast<std::size_t>(done)] : "step.own";
         // A tool in the hand does none of the steps.
         const bool is_hand = throwing.held == tool::Tool::kHand;
-        teaching(page, page.t(is_hand ? step : kHeldLines[tray_place(throwing.held)]));
+        teaching(page, page.t(is_hand ? step : tray_tool(throwing.held).line_key));
     }
     controls(page);
 }

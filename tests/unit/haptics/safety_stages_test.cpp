@@ -94,7 +94,7 @@ TEST(SafetyPassivity, AddsUpTheWorkOfTheForceReallyAppliedExactly) {
     double given = 0.0;
     for (int k = 0; k < 1000; ++k) {
         state.applied_force_n = {any(random), any(random), any(random)};
-        const dvec3 step(any(random), any(random), any(random));
+        const dvec3 step{any(random), any(random), any(random)};
         at += step;
         const double work = -glm::dot(state.applied_force_n, step);
         (work > 0.0 ? taken : given) += std::abs(work);

@@ -26,16 +26,24 @@ TEST(UnitCircle, AgreesWithLibm) {
 }
 
 // A cup: a wall that leans out, a flat rim, an inside down to a floor.
-SurfaceBuilder cup(bool unwraps) {
+Walk cups_walk() {
     Walk walk;
     for (int i = 0; i <= 10; ++i)
         walk.rows.push_back({.y_mm = 8.0 * i, .radius_mm = 30.0 + i});
     for (int i = 10; i >= 1; --i)
         walk.rows.push_back({.y_mm = 8.0 * i, .radius_mm = 24.0 + i, .inside = true});
+    return walk;
+}
+
+SurfaceBuilder surface_of(const Walk& walk, bool unwraps) {
     SurfaceBuilder surface(kCorners, unwraps);
     surface.add_walk(walk);
     surface.finish_normals();
     return surface;
+}
+
+SurfaceBuilder cup(bool unwraps) {
+    return surface_of(cups_walk(), unwraps);
 }
 
 TEST(SurfaceBuilder, ClosesTheSurfaceByPosition) {
@@ -101,6 +109,25 @@ TEST(SurfaceBuilder, IsSmoothAlongAWallAndPartedAtAnEdge) {
         if (strip.y_mm != 40.0) continue;
         EXPECT_EQ(normal.x > 0.0, !strip.inside);
     }
+}
+
+TEST(SurfaceBuilder, RoundsEdges) {
+    const Walk sharp = cups_walk();
+    const Walk round = rounded(sharp, {.within_mm = 0.6, .apart_mm = 0.3}, kCorners);
+    EXPECT_EQ(round.rows.size(), sharp.rows.size() + 10) << "two more an edge, and the discs' rings";
+    const SurfaceBuilder surface = surface_of(round, false);
+    EXPECT_NEAR(surface.volume_mm3() / cup(false).volume_mm3(), 1.0, 1e-3);
+    int on_the_rim = 0;
+    for (const SurfaceBuilder::Strip& strip : surface.strips()) {
+        const dvec3& normal = surface.normals[strip.first];
+        if (strip.y_mm > 79.5 && strip.y_mm < 80.0) {
+            ++on_the_rim;
+            EXPECT_NEAR(normal.y, std::sqrt(0.5), 0.1) << "half way round the edge";
+        }
+    }
+    EXPECT_EQ(on_the_rim, 2) << "one row an edge";
+    EXPECT_EQ(rounded(sharp, {.within_mm = 0.6, .apart_mm = 2.0}, kCorners).rows.size(), sharp.rows.size())
+        << "no room for more rows";
 }
 
 }  // namespace

@@ -41,10 +41,10 @@ TEST_F(HeldPictureTiles, AreCopiedOnlyWhereTheTargetShowsSomethingElse) {
 }
 
 TEST_F(HeldPictureTiles, AreNotCopiedWhereSomethingMoves) {
-    frame({0, kCovered, kMoves, 0});
+    frame({0, 1, 1, 0});
     EXPECT_EQ(work_.bare, (Tiles{1, 0, 0, 1}));
     EXPECT_EQ(work_.moves, (Tiles{0, 1, 1, 0}));
-    frame({0, kCovered, kMoves, 0}, {0, 7, 7, 0});
+    frame({0, 1, 1, 0}, {0, 7, 7, 0});
     EXPECT_EQ(work_.bare, Tiles(kTiles, 0));
     EXPECT_EQ(work_.moves_under, (Tiles{0, 1, 1, 0}));
     frame();

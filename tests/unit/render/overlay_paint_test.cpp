@@ -60,7 +60,7 @@ TEST(OverlayPaint, CoversASidesPixelsOnceWhereTrianglesMeet) {
     std::uniform_real_distribution<float> across(2.0F, kOverlayWidth - 2.0F);
     std::uniform_real_distribution<float> down(2.0F, kOverlayHeight - 2.0F);
     for (int round = 0; round < 200; ++round) {
-        const vec2 middle(across(random), down(random));
+        const vec2 middle{across(random), down(random)};
         const std::array border{vec2(0.0F), vec2(kOverlayWidth, 0.0F), vec2(kOverlayWidth, kOverlayHeight),
                                 vec2(0.0F, kOverlayHeight)};
         ui::DrawList list;

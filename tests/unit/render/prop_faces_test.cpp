@@ -105,7 +105,7 @@ TEST_F(APot, HidesOnlyAndMostlyTrianglesBehindItsWall) {
     int hidden = 0;
     int inside_and_behind = 0;
     for (int round = 0; round < 20000; ++round) {
-        const vec3 point(wide_mm(random), high_mm(random), wide_mm(random));
+        const vec3 point{wide_mm(random), high_mm(random), wide_mm(random)};
         if (inside.hides(point)) {
             ++hidden;
             ASSERT_TRUE(is_behind_the_wall(point)) << point.x << ", " << point.y << ", " << point.z;

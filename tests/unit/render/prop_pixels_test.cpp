@@ -45,8 +45,8 @@ TEST_F(PropPixels, DrawEachPixelBetweenTwoTrianglesOnce) {
     std::vector<PropCorner> corners;
     for (int row = 0; row <= kAcross; ++row) {
         for (int column = 0; column <= kAcross; ++column) {
-            corners.push_back(corner((static_cast<float>(column) + off(random)) * 3.0F - 2.0F,
-                                     (static_cast<float>(row) + off(random)) * 2.0F - 2.0F));
+            const float down = (static_cast<float>(row) + off(random)) * 2.0F - 2.0F;
+            corners.push_back(corner((static_cast<float>(column) + off(random)) * 3.0F - 2.0F, down));
         }
     }
     std::vector<std::uint32_t> indices;
@@ -122,8 +122,10 @@ TEST_F(PropPixels, LieInTheTilesThatAreWanted) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> place(-30.0F, 90.0F);
     std::vector<PropCorner> corners;
-    for (int i = 0; i < 60; ++i)
-        corners.push_back(corner(place(random), place(random)));
+    for (int i = 0; i < 60; ++i) {
+        const float down = place(random);
+        corners.push_back(corner(place(random), down));
+    }
     const TileGrid grid{kWidth, kHeight};
     for (std::uint32_t first = 0; first < 57; ++first) {
         clear();

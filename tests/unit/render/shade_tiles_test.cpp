@@ -12,16 +12,16 @@ namespace onggi::render {
 namespace {
 
 // Neither side a whole number of tiles.
-constexpr TileGrid kGrid{.width_px = 5 * kTileWidthPx + 7, .height_px = 6 * kTileHeightPx + 3};
+constexpr TileGrid kShadedGrid{.width_px = 5 * kTileWidthPx + 7, .height_px = 6 * kTileHeightPx + 3};
 
 std::size_t pixel(int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(kGrid.width_px) +
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(kShadedGrid.width_px) +
            static_cast<std::size_t>(x);
 }
 
 // How often each pixel of the picture lies in a rectangle.
 std::vector<int> counted(const std::vector<PixelRect>& rects) {
-    std::vector<int> times(pixel(0, kGrid.height_px), 0);
+    std::vector<int> times(pixel(0, kShadedGrid.height_px), 0);
     for (const PixelRect& rect : rects) {
         for (int y = rect.y; y < rect.y + rect.height; ++y) {
             for (int x = rect.x; x < rect.x + rect.width; ++x)
@@ -34,15 +34,15 @@ std::vector<int> counted(const std::vector<PixelRect>& rects) {
 TEST(Tiles, BecomeRectanglesThatHoldEachWantedPixelOnce) {
     std::mt19937 random(3);
     for (int round = 0; round < 200; ++round) {
-        std::vector<std::uint8_t> wanted(kGrid.count());
+        std::vector<std::uint8_t> wanted(kShadedGrid.count());
         for (std::uint8_t& tile : wanted)
             tile = random() % 3 == 0 ? 0 : 1;
         std::vector<PixelRect> rects;
-        rects_of_tiles(kGrid, wanted, rects);
+        rects_of_tiles(kShadedGrid, wanted, rects);
         const std::vector<int> times = counted(rects);
-        for (int y = 0; y < kGrid.height_px; ++y) {
-            for (int x = 0; x < kGrid.width_px; ++x) {
-                const int tile = y / kTileHeightPx * kGrid.across() + x / kTileWidthPx;
+        for (int y = 0; y < kShadedGrid.height_px; ++y) {
+            for (int x = 0; x < kShadedGrid.width_px; ++x) {
+                const int tile = y / kTileHeightPx * kShadedGrid.across() + x / kTileWidthPx;
                 ASSERT_EQ(times[pixel(x, y)], wanted[static_cast<std::size_t>(tile)]) << x << ", " << y;
             }
         }
@@ -51,23 +51,23 @@ TEST(Tiles, BecomeRectanglesThatHoldEachWantedPixelOnce) {
 
 TEST(Tiles, OfAWholePictureAreOneRectangle) {
     std::vector<PixelRect> rects;
-    rects_of_tiles(kGrid, std::vector<std::uint8_t>(kGrid.count(), 1), rects);
+    rects_of_tiles(kShadedGrid, std::vector<std::uint8_t>(kShadedGrid.count(), 1), rects);
     ASSERT_EQ(rects.size(), 1U);
-    EXPECT_EQ(rects[0], (PixelRect{0, 0, kGrid.width_px, kGrid.height_px}));
+    EXPECT_EQ(rects[0], (PixelRect{0, 0, kShadedGrid.width_px, kShadedGrid.height_px}));
 }
 
 TEST(Tiles, AreWantedWhereARectangleTouchesThemInsideThePicture) {
-    std::vector<std::uint8_t> wanted(kGrid.count(), 0);
-    want_tiles(kGrid, {kTileWidthPx - 1, -50, 2, 51}, wanted);
+    std::vector<std::uint8_t> wanted(kShadedGrid.count(), 0);
+    want_tiles(kShadedGrid, {kTileWidthPx - 1, -50, 2, 51}, wanted);
     EXPECT_EQ(wanted[0], 1);
     EXPECT_EQ(wanted[1], 1);
     EXPECT_EQ(std::count(wanted.begin(), wanted.end(), 1), 2);
-    want_tiles(kGrid, {-1000, -1000, 5000, 5000}, wanted);
-    EXPECT_EQ(static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), 1)), kGrid.count());
+    want_tiles(kShadedGrid, {-1000, -1000, 5000, 5000}, wanted);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), 1)), kShadedGrid.count());
     std::fill(wanted.begin(), wanted.end(), 0);
-    for (const PixelRect& outside : {PixelRect{-10, 0, 10, 5}, PixelRect{kGrid.width_px + 40, 0, 10, 5},
+    for (const PixelRect& outside : {PixelRect{-10, 0, 10, 5}, PixelRect{kShadedGrid.width_px + 40, 0, 10, 5},
                                      PixelRect{0, -8, 5, 8}, PixelRect{0, 0, 0, 5}}) {
-        want_tiles(kGrid, outside, wanted);
+        want_tiles(kShadedGrid, outside, wanted);
     }
     EXPECT_EQ(std::count(wanted.begin(), wanted.end(), 1), 0);
 }
@@ -76,8 +76,8 @@ TEST(Tiles, AreWantedWhereARectangleTouchesThemInsideThePicture) {
 class ShadedTiles : public testing::Test {
   protected:
     ShadedTiles() {
-        for (int y = 0; y < kGrid.height_px; ++y) {
-            for (int x = 0; x < kGrid.width_px; ++x) {
+        for (int y = 0; y < kShadedGrid.height_px; ++y) {
+            for (int x = 0; x < kShadedGrid.width_px; ++x) {
                 const auto u = static_cast<std::uint32_t>(x * 300 + y * 50);
                 const auto v = static_cast<std::uint32_t>(y * 900);
                 places_.push_back(
@@ -86,10 +86,10 @@ class ShadedTiles : public testing::Test {
         }
         before_->fill(kUnshaded);
         now_->fill(kUnshaded);
-        tiles_.learn(kGrid, places_);
-        take({});
+        tiles_.learn(kShadedGrid, places_);
+        take();
     }
-    void take(const std::vector<std::uint8_t>& moving) { tiles_.take(moving, ++number_, rects_); }
+    void take() { tiles_.take(++number_, rects_); }
 
     std::uint64_t number_ = 0;
     std::vector<std::uint32_t> places_;
@@ -102,7 +102,7 @@ class ShadedTiles : public testing::Test {
 TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
     ASSERT_EQ(rects_.size(), 1U);
     tiles_.note_mask(*before_, *now_);
-    take({});
+    take();
     EXPECT_TRUE(rects_.empty());
 
     std::mt19937 random(7);
@@ -111,7 +111,7 @@ TEST_F(ShadedTiles, AreShadedOnceAndThenWhereTheMaskChanges) {
         for (int change = 0; change < 3; ++change)
             (*now_)[random() % now_->size()] = static_cast<std::uint32_t>(random()) & kUnshaded;
         tiles_.note_mask(*before_, *now_);
-        take({});
+        take();
         const std::vector<int> times = counted(rects_);
         for (std::size_t at = 0; at < places_.size(); ++at) {
             const std::size_t texel = places_[at] >> 16U;
@@ -136,11 +136,11 @@ TEST_F(ShadedTiles, ReadTheFourTexelsAboutTheirPlaceAndNoOthers) {
         const std::vector<std::uint32_t> places(std::size_t{kTileWidthPx} * kTileHeightPx, texel << 16U);
         const auto is_shaded = [&](std::uint32_t changed) {
             tiles_.learn(kOne, places);
-            take({});
+            take();
             *now_ = *before_;
             (*now_)[changed] = 0;
             tiles_.note_mask(*before_, *now_);
-            take({});
+            take();
             return !rects_.empty();
         };
         for (const std::uint32_t read : {texel, texel + 1, texel + kAcross, texel + kAcross + 1})
@@ -150,41 +150,23 @@ TEST_F(ShadedTiles, ReadTheFourTexelsAboutTheirPlaceAndNoOthers) {
     }
 }
 
-TEST_F(ShadedTiles, ThatAreCoveredWaitUntilTheyAreSeen) {
-    now_->fill(0);
-    tiles_.note_mask(*before_, *now_);
-    std::vector<std::uint8_t> moving(kGrid.count(), kMoves);
-    moving[8] = kCovered;
-    const std::uint64_t before = tiles_.numbers()[8];
-    const auto times_of_8 = [&] { return counted(rects_)[pixel(2 * kTileWidthPx, kTileHeightPx)]; };
-    take(moving);
-    EXPECT_EQ(times_of_8(), 0);
-    EXPECT_EQ(tiles_.numbers()[8], before);
-    EXPECT_NE(tiles_.numbers()[9], before);
-    moving[8] = kNothingMoves;
-    take(moving);
-    EXPECT_EQ(times_of_8(), 1);
-    EXPECT_EQ(rects_.size(), 1U) << "the others have been shaded";
-    EXPECT_NE(tiles_.numbers()[8], before);
-}
-
 TEST_F(ShadedTiles, WaitAFrameForALittleOtherLightRowByRow) {
     const std::vector<std::uint64_t> before(tiles_.numbers().begin(), tiles_.numbers().end());
     tiles_.note_light(LightChange::kLittle);
-    take({});
+    take();
     const std::vector<int> first = counted(rects_);
-    take({});
+    take();
     const std::vector<int> second = counted(rects_);
     for (std::size_t at = 0; at < first.size(); ++at)
         ASSERT_EQ(first[at] + second[at], 1) << at;
-    EXPECT_EQ(first[pixel(0, 0)], first[pixel(kGrid.width_px - 1, kTileHeightPx - 1)]);
+    EXPECT_EQ(first[pixel(0, 0)], first[pixel(kShadedGrid.width_px - 1, kTileHeightPx - 1)]);
     EXPECT_NE(first[pixel(0, 0)], first[pixel(0, kTileHeightPx)]);
     for (std::size_t tile = 0; tile < before.size(); ++tile)
         EXPECT_NE(tiles_.numbers()[tile], before[tile]) << tile;
-    take({});
+    take();
     EXPECT_TRUE(rects_.empty());
     tiles_.note_light(LightChange::kMuch);
-    take({});
+    take();
     EXPECT_EQ(rects_.size(), 1U) << "all at once";
 }
 

@@ -51,9 +51,9 @@ class TrianglePixels : public ::testing::Test {
         std::uniform_real_distribution<float> place(-20.0F, 80.0F);
         int covered = 0;
         for (int round = 0; round < 300; ++round) {
-            const std::array<vec2, 3> corners{vec2(place(random), place(random)),
-                                              vec2(place(random), place(random)),
-                                              vec2(place(random), place(random))};
+            const std::array<vec2, 3> corners{vec2{place(random), place(random)},
+                                              vec2{place(random), place(random)},
+                                              vec2{place(random), place(random)}};
             const std::array<vec2, 3> back{corners[2], corners[1], corners[0]};
             clear();
             draw(corners);

@@ -4,6 +4,7 @@
 
 #include "game/screens/page/design.h"
 #include "game/screens/page/layout.h"
+#include "game/visit/throw/throw.h"
 #include "tests/unit/screens/sample_decorations.h"
 #include "tests/unit/screens/sample_staff.h"
 
@@ -178,9 +179,9 @@ void add_step_views(const Samples& add) {
 }
 
 void add_tool_views(const Samples& add) {
-    for (std::size_t place = 0; place < kiosk::kTrayTools.size(); ++place) {
+    for (std::size_t place = 0; place < visit::kTray.size(); ++place) {
         const auto holds = [&](View& view) {
-            view.state.throwing.held = kiosk::kTrayTools[place];
+            view.state.throwing.held = visit::kTray[place].tool;
             view.state.throwing.steps_done = kiosk::kTeachingSteps;
         };
         const auto wire = [](View& view) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "game/visit/steps.h"
+#include "game/visit/throw/throw.h"
 #include "tests/unit/visit/visitor.h"
 
 namespace onggi::visit {
@@ -36,7 +37,7 @@ TEST(Tools, AreTakenByTheirKeysWithoutATray) {
         visitor.presses(Button::kTakeTool, number(held));
         EXPECT_EQ(visitor.state.throwing.held, held);
     }
-    visitor.presses(Button::kTakeTool, static_cast<int>(kTrayTools.size())).presses(Button::kTakeTool, -1);
+    visitor.presses(Button::kTakeTool, static_cast<int>(kTray.size())).presses(Button::kTakeTool, -1);
     EXPECT_EQ(visitor.state.throwing.held, tool::Tool::kHand);
 }
 

@@ -125,7 +125,7 @@ TEST_F(AShaving, IsSeenBesideTheTrimmerAtAPotThatHasDried) {
     scene.shave(3.5 * Shavings::kCurlMm3, {60.0, 80.0, 0.0});
     EXPECT_EQ(shows(ToolModel::kCurl), 3U);
     EXPECT_EQ(shows(ToolModel::kRib), 0U);
-    scene.lay_on_bench(ToolModel::kRib, true);
+    scene.lay_on_bench(tool::Tool::kRib, true);
     EXPECT_EQ(shows(ToolModel::kRib), 1U);
 }
 

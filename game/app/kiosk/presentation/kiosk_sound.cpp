@@ -17,10 +17,6 @@ constexpr double kEdgeMm = 150.0;
 // The torque that nearly stalls a small studio wheel: 3 N at 100 mm.
 constexpr double kStallNMm = 300.0;
 
-bool is_hard(tool::Tool kind) {
-    return kind == tool::Tool::kRib || kind == tool::Tool::kTrimmer;
-}
-
 }  // namespace
 
 sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
@@ -37,7 +33,7 @@ sound::SoundScene scene_of(const haptic::Snapshot& snapshot, double volume) {
             .contact_n = press_n,
             .slip_mm_s = slip_mm_s,
             .wetness = knows_water ? std::max(snapshot.hand_film, snapshot.tool.water) : kUnknownWetness,
-            .is_hard_tool = is_hard(snapshot.tool.tool),
+            .is_hard_tool = tool::is_hard(snapshot.tool.tool),
             .place = std::clamp(at.x / kEdgeMm, -1.0, 1.0),
             .slaps = static_cast<std::uint32_t>(snapshot.run),
             .is_plucked = snapshot.tool.wire != tool::Wire::kNone,

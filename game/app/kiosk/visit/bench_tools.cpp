@@ -1,23 +1,11 @@
 #include "game/app/kiosk/visit/bench_tools.h"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "game/screens/page/layout.h"
 
 namespace onggi::app {
 namespace {
-
-// A tool on the scene's bench.
-struct Target {
-    wheel::ToolModel model;
-    tool::Tool held;
-    vec2 size_u;
-};
-constexpr std::array kTargets{Target{wheel::ToolModel::kSponge, tool::Tool::kSponge, {112.0F, 94.0F}},
-                              Target{wheel::ToolModel::kWire, tool::Tool::kWire, {250.0F, 78.0F}},
-                              Target{wheel::ToolModel::kRib, tool::Tool::kRib, {80.0F, 130.0F}}};
 
 // Whether the scene is the program's own photographed room. A museum's room has another bench.
 bool has_bench(const VisitParts& parts) {
@@ -38,12 +26,9 @@ std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk
     const float px_per_u = screens::px_per_u_of(view.width(), view.height());
     view.scene().registry().each<wheel::BenchTool, wheel::Transform>(
         [&](ecs::Entity, const wheel::BenchTool& tool, const wheel::Transform& transform) {
-            const auto* target = std::find_if(kTargets.begin(), kTargets.end(),
-                                              [&](const Target& one) { return one.model == tool.model; });
-            if (target == kTargets.end()) return;
-            if (target->held == tool::Tool::kRib && !rib_lies_there(parts, state)) return;
+            if (tool.tool == tool::Tool::kRib && !rib_lies_there(parts, state)) return;
             const auto px = view.project(transform.position_mm);
-            if (px) tools.push_back({target->held, glm::round(vec2(*px)), target->size_u * px_per_u});
+            if (px) tools.push_back({tool.tool, glm::round(vec2(*px)), tool.target_u * px_per_u});
         });
     return tools;
 }

@@ -108,7 +108,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     stage_.turn(composer.turned());
     wheel::WheelScene& wheel_scene = parts_.view.scene();
     wheel_scene.hold_wire(wheel_.finger().wire_mm());
-    wheel_scene.lay_on_bench(wheel::ToolModel::kRib, rib_lies_there(parts_, state_));
+    wheel_scene.lay_on_bench(tool::Tool::kRib, rib_lies_there(parts_, state_));
     const visit::Finger finger = visit::open_finger(state_);
     wheel_scene.show_hands(wheel_.shows() || finger == visit::Finger::kClay ||
                            finger == visit::Finger::kFoot);

@@ -9,6 +9,7 @@
 #include "engine/haptics/control_sense.h"
 #include "game/app/kiosk/presentation/kiosk_pot.h"
 #include "game/visit/flow/step.h"
+#include "game/visit/throw/throw.h"
 
 namespace onggi::app {
 
@@ -174,7 +175,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             break;
         case PointerNews::Kind::kFingerUp:
             if (const auto tool = bench_.lift(); tool && open_finger(flow_.state()) == Finger::kClay)
-                flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(kiosk::tray_place(*tool))});
+                flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(visit::tray_place(*tool))});
             finger_.release();
             break;
         case PointerNews::Kind::kHovered:
