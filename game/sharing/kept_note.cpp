@@ -18,6 +18,9 @@ std::optional<std::string_view> take_line(std::string_view& text, std::string_vi
     return rest;
 }
 
+// The largest setting and an hour.
+constexpr std::int64_t kLongestStayS = (std::int64_t{168} + 1) * 3600;
+
 std::optional<std::int64_t> seconds(std::optional<std::string_view> text) {
     return text ? number_in<std::int64_t>(*text) : std::nullopt;
 }
@@ -25,7 +28,6 @@ std::optional<std::int64_t> seconds(std::optional<std::string_view> text) {
 }  // namespace
 
 bool is_over(const KeptNote& note, std::int64_t now_s) {
-    constexpr std::int64_t kLongestStayS = (std::int64_t{168} + 1) * 3600;
     if (redated(note, now_s)) return false;
     if (note.expires_s <= now_s) return true;
     return now_s >= kClockIsSetS && note.expires_s - now_s > kLongestStayS;
@@ -33,6 +35,8 @@ bool is_over(const KeptNote& note, std::int64_t now_s) {
 
 std::optional<KeptNote> redated(const KeptNote& note, std::int64_t now_s) {
     if (note.made_s >= kClockIsSetS || now_s < kClockIsSetS) return std::nullopt;
+    // A damaged note may have any number.
+    if (note.expires_s < note.made_s || note.expires_s > note.made_s + kLongestStayS) return std::nullopt;
     return KeptNote{now_s, now_s + (note.expires_s - note.made_s), note.gallery_name};
 }
 

@@ -27,11 +27,11 @@ constexpr std::int64_t kClockIsSetS = 1'767'225'600;
 // promised.
 [[nodiscard]] bool is_over(const KeptNote& note, std::int64_t now_s);
 // The note of a pot that was shared before the clock was set, with the same stay from now on. Empty for every
-// other note.
+// other note, and for a longer stay than any pot gets.
 [[nodiscard]] std::optional<KeptNote> redated(const KeptNote& note, std::int64_t now_s);
 
 [[nodiscard]] std::string written(const KeptNote& note);
-// Empty for any text that written() does not return.
+// Empty for text of another form.
 [[nodiscard]] std::optional<KeptNote> read_note(std::string_view text);
 
 }  // namespace onggi::sharing

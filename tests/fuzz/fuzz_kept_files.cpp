@@ -15,7 +15,9 @@
 #include "game/app/kiosk/gallery/wall_of_the_day.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/health/kiosk_status.h"
+#include "game/app/system/picture_note.h"
 #include "game/app/system/start_log.h"
+#include "game/sharing/kept_note.h"
 #include "tests/fuzz/fuzz_expect.h"
 
 namespace {
@@ -97,10 +99,30 @@ void read_statistics(std::string_view text) {
     fuzz::expect(app::use_of(folder(), kDay).total().visits >= all.visits);
 }
 
+void read_picture(std::string_view text) {
+    put("picture", text);
+    const std::string read = app::PictureNote(folder()).read();
+    fuzz::expect(read.find('\n') == std::string::npos);
+    fuzz::expect(static_cast<bool>(app::PictureNote(folder()).keep(read)));
+    fuzz::expect(app::PictureNote(folder()).read() == read);
+}
+
+void read_shared_pot(std::string_view text) {
+    const auto note = sharing::read_note(text);
+    if (!note) return;
+    const auto again = sharing::read_note(sharing::written(*note));
+    fuzz::expect(again && again->made_s == note->made_s && again->expires_s == note->expires_s);
+    constexpr std::int64_t kNowS = 1'795'608'000;
+    if (const auto later = sharing::redated(*note, kNowS))
+        fuzz::expect(later->made_s == kNowS && !sharing::is_over(*later, kNowS));
+    static_cast<void>(sharing::is_over(*note, kNowS));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    constexpr std::array kReaders{read_wall, read_jar, read_starts, read_status, read_statistics};
+    constexpr std::array kReaders{read_statistics, read_wall,       read_jar,   read_starts,
+                                  read_picture,    read_shared_pot, read_status};
     if (size == 0) return 0;
     const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
     kReaders[data[0] % kReaders.size()](text);

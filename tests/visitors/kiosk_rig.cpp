@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "game/visit/flow/flow.h"
+#include "game/visit/throw/throw.h"
 
 namespace onggi::visitors {
 namespace {

@@ -28,6 +28,9 @@ struct ToolReach {
     }
 };
 
+// Smaller changes of a rate-control stick, as a fraction of its travel, are noise.
+constexpr double kPushNoise = 0.05;
+
 struct DeviceInput {
     enum class Motion : std::uint8_t {
         kNone,  // a pedal: no tool

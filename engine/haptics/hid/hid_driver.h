@@ -27,6 +27,12 @@ class HidDriver {
     // The hand's input after all reports so far. is_live is false if the device has been silent for longer
     // than a working one would be.
     [[nodiscard]] virtual DeviceInput input(std::int64_t now_ns) const noexcept = 0;
+    // Whether a hand moved between two reports of the same id and size of any device of the kind; `before` is
+    // empty for the first. The default takes every report for a hand's.
+    [[nodiscard]] virtual bool has_moved(std::span<const std::uint8_t> /*before*/,
+                                         std::span<const std::uint8_t> /*now*/) const noexcept {
+        return true;
+    }
     // Sends what has changed or is due. The force has passed all limits. Error: the device is gone.
     virtual Result<void> send(HidPort& port, const ForceOrder& order, std::int64_t now_ns) = 0;
     // Turns all forces off; ignores errors, since the device may be gone.

@@ -36,7 +36,7 @@ void HidSession::search(std::int64_t now_ns) {
         if (device.kind != options_.kind) continue;
         if (!options_.only.empty() && device.path != options_.only) continue;
         if (port_) {
-            if (device.refusal.empty()) rivals_.push_back({.info = device, .port = nullptr});
+            if (device.refusal.empty()) rivals_.push_back({.info = device, .port = nullptr, .firsts = {}});
             continue;
         }
         HidStatus status = begin(device);
@@ -54,6 +54,20 @@ void HidSession::search(std::int64_t now_ns) {
     if (!port_) publish(std::move(told));
 }
 
+bool HidSession::has_moved(FirstReports& firsts, std::span<const std::uint8_t> report) const {
+    const auto first = std::ranges::find_if(firsts, [&](const Report& known) {
+        return known.size == report.size() && known.bytes[0] == report[0];
+    });
+    if (first != firsts.end()) return driver_->has_moved(first->view(), report);
+    constexpr std::size_t kMostIds = 16;
+    if (firsts.size() < kMostIds) {
+        Report& added = firsts.emplace_back();
+        added.size = report.size();
+        std::ranges::copy(report, added.bytes.begin());
+    }
+    return driver_->has_moved({}, report);
+}
+
 void HidSession::hear_rivals(std::int64_t now_ns) {
     for (Rival& rival : rivals_) {
         if (!rival.port) {
@@ -61,19 +75,32 @@ void HidSession::hear_rivals(std::int64_t now_ns) {
             if (!opened) continue;
             rival.port = std::move(opened).value();
         }
-        std::array<std::uint8_t, kMaxReportBytes> report{};
+        if (hear(rival, now_ns)) return;
+    }
+}
+
+bool HidSession::hear(Rival& rival, std::int64_t now_ns) {
+    std::array<std::uint8_t, kMaxReportBytes> report{};
+    for (int count = 0; count < kMostReportsARound; ++count) {
         const auto size = rival.port->read(report, 0);
-        if (!size || *size == 0) continue;
+        if (!size || *size == 0) return false;
+        const bool moved = has_moved(rival.firsts, std::span(report).first(std::min(*size, report.size())));
+        if (!moved && !firsts_.empty()) continue;
         driver_->stop(*port_);
         port_.reset();
         const HidDeviceInfo chosen = rival.info;
-        rivals_.clear();
+        FirstReports firsts = std::move(rival.firsts);
+        // One that only leans gives the node back to a hand.
+        rival = {.info = used_, .port = nullptr, .firsts = std::move(firsts_)};
+        if (moved) rivals_.clear();
         HidStatus status = begin(chosen);
+        firsts_ = std::move(firsts);
         if (status.state != HidStatus::State::kReady) next_search_ns_ = now_ns;
         gate_.restart();
         publish(std::move(status));
-        return;
+        return true;
     }
+    return false;
 }
 
 HidStatus HidSession::begin(const HidDeviceInfo& device) {
@@ -94,6 +121,8 @@ HidStatus HidSession::begin(const HidDeviceInfo& device) {
         return status;
     }
     port_ = std::move(opened).value();
+    used_ = device;
+    firsts_.clear();
     return status;
 }
 
@@ -105,8 +134,9 @@ bool HidSession::hear(std::int64_t now_ns) {
         const auto size = port_->read(report, wait_ms);
         if (!size) return false;
         if (*size == 0) return true;
-        rivals_.clear();
-        driver_->take_report(std::span(report).first(std::min(*size, report.size())), now_ns);
+        const std::span<const std::uint8_t> taken = std::span(report).first(std::min(*size, report.size()));
+        if (!rivals_.empty() && has_moved(firsts_, taken)) rivals_.clear();
+        driver_->take_report(taken, now_ns);
         wait_ms = 0;
     }
     return true;

@@ -68,8 +68,21 @@ class HidSession final : public jobs::IoWork {
     // Opens the device and starts its driver. Returns ready, or the reason of the failure.
     [[nodiscard]] HidStatus begin(const HidDeviceInfo& device);
     void exchange(std::int64_t now_ns);
-    // Switches to the first rival that reports.
+    // The first report of each id and size from a node.
+    using FirstReports = std::vector<Report>;
+    // Another node of the kind, read until a hand moves the one in use: a receiver has several, a stick may
+    // lean, and only the one that a hand moves is wanted.
+    struct Rival {
+        HidDeviceInfo info;
+        std::unique_ptr<HidPort> port;
+        FirstReports firsts;
+    };
+    // Whether this report shows that a hand moves the node.
+    [[nodiscard]] bool has_moved(FirstReports& firsts, std::span<const std::uint8_t> report) const;
+    // Switches to the first rival that a hand moves, or that reports while the node in use never has.
     void hear_rivals(std::int64_t now_ns);
+    // Returns false if the rival is still.
+    [[nodiscard]] bool hear(Rival& rival, std::int64_t now_ns);
     // Returns false if the device is gone.
     [[nodiscard]] bool hear(std::int64_t now_ns);
     void lose(std::int64_t now_ns);
@@ -83,12 +96,8 @@ class HidSession final : public jobs::IoWork {
     ForceGate gate_;
 
     std::unique_ptr<HidPort> port_;
-    // Other nodes of the kind, read until the one in use reports: a receiver has several, and only the one
-    // that a hand moves is wanted.
-    struct Rival {
-        HidDeviceInfo info;
-        std::unique_ptr<HidPort> port;
-    };
+    HidDeviceInfo used_;   // the node of port_
+    FirstReports firsts_;  // of that node
     std::vector<Rival> rivals_;
     HidStatus status_;
     std::uint64_t heartbeat_ = 0;

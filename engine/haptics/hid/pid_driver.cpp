@@ -237,10 +237,9 @@ Result<void> PidDriver::tell(HidPort& port, Effect& effect, const ForceOrder& or
     const double limit = fraction_of_force(mapping_.peak_n);
     switch (effect.type) {
         case PidUsage::kConstantForceType: {
-            const double fraction =
-                effect.axis == Axis::kX
-                    ? mapping_.radius_sign * fraction_of_force(order.force_n.x)
-                    : mapping_.height_sign * fraction_of_force(-order.force_n.y);  // +Y is down
+            const double fraction = effect.axis == Axis::kX
+                                        ? fraction_of_force(order.force_n.x)
+                                        : fraction_of_force(-order.force_n.y);  // +Y is down
             return send_once(effect.told_x, set_constant_force(*layout_, effect.block, fraction));
         }
         case PidUsage::kSpringType:

@@ -67,11 +67,6 @@ struct PidMapping {
     double peak_n = kKioskPeakForceN;  // the largest force to request
     double stiffness_n_per_mm = 0.5;   // of the spring that the device renders
     double damping_fraction = 0.1;     // of its full damper, while in contact
-    // 1; -1 for a constant force of a device that takes a direction for where a force goes, not where it
-    // comes from, as old releases of ArduinoJoystickWithFFBLibrary do. With the wrong sign the force pulls
-    // the tool into the work.
-    double radius_sign = 1.0;
-    double height_sign = 1.0;
 };
 
 class PidDriver final : public HidDriver {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "engine/core/little_endian.h"
 
@@ -112,6 +113,20 @@ DeviceInput SpaceMouseDriver::input(std::int64_t now_ns) const noexcept {
     input.change_rev_min_s = mapping_.fastest_change_rev_min_s * shaped_axis(state_.rotation[2], mapping_);
     input.buttons = state_.buttons;
     return input;
+}
+
+bool SpaceMouseDriver::has_moved(std::span<const std::uint8_t> before,
+                                 std::span<const std::uint8_t> now) const noexcept {
+    SpaceMouseState was;
+    SpaceMouseState is;
+    if (!take_space_mouse_report(now, is)) return false;
+    const bool is_first = !take_space_mouse_report(before, was);
+    if ((is.buttons & ~was.buttons) != 0) return true;
+    const auto differs = [&](std::int16_t one, std::int16_t other) {
+        return std::abs(pushed_axis(one, mapping_) - pushed_axis(other, mapping_)) > kPushNoise;
+    };
+    return !is_first && !(std::ranges::equal(is.translation, was.translation, std::not_fn(differs)) &&
+                          std::ranges::equal(is.rotation, was.rotation, std::not_fn(differs)));
 }
 
 void SpaceMouseDriver::stop(HidPort& port) noexcept {

@@ -84,6 +84,9 @@ class SpaceMouseDriver final : public HidDriver {
     Result<void> start(const HidDeviceInfo& device, HidPort& port) override;
     void take_report(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept override;
     [[nodiscard]] DeviceInput input(std::int64_t now_ns) const noexcept override;
+    // A stick that leans reports all the time, and no motion.
+    [[nodiscard]] bool has_moved(std::span<const std::uint8_t> before,
+                                 std::span<const std::uint8_t> now) const noexcept override;
     Result<void> send(HidPort&, const ForceOrder&, std::int64_t) override { return {}; }
     void stop(HidPort& port) noexcept override;
 

@@ -52,8 +52,6 @@ class ToolTracker {
     static constexpr double kFastestRevMin = 240.0;
     // More than the noise of a held stick or of a trigger at rest.
     static constexpr double kNoiseMm = 1.5;
-    static constexpr double kPushNoise =
-        0.05;  // the same for a rate-control stick, as a fraction of its travel
 
     ToolReach reach_;
     dvec2 place_mm_;  // radius, height, without the press

@@ -280,47 +280,109 @@ TEST_F(HidSessionTest, TakesTheNextDeviceIfTheFirstFails) {
     EXPECT_EQ(script->open_ports, 0);
 }
 
-// A receiver for several pucks shows a node for each: the one that a hand moves is wanted.
-TEST(HidSessionOfSeveralNodes, GoesOverToTheFirstThatSaysSomething) {
-    class TwoNodes final : public HidBus {
-      public:
-        explicit TwoNodes(std::vector<std::shared_ptr<ScriptedHid>> nodes) : nodes_(std::move(nodes)) {}
-        Result<std::vector<HidDeviceInfo>> list() override {
-            return std::vector<HidDeviceInfo>{nodes_[0]->info, nodes_[1]->info};
-        }
-        Result<std::unique_ptr<HidPort>> open(const HidDeviceInfo& info) override {
-            const auto& node = info.path == nodes_[0]->info.path ? nodes_[0] : nodes_[1];
-            return std::unique_ptr<HidPort>(std::make_unique<testing::ScriptedPort>(node));
-        }
+class TwoNodes final : public HidBus {
+  public:
+    explicit TwoNodes(std::vector<std::shared_ptr<ScriptedHid>> nodes) : nodes_(std::move(nodes)) {}
+    Result<std::vector<HidDeviceInfo>> list() override {
+        return std::vector<HidDeviceInfo>{nodes_[0]->info, nodes_[1]->info};
+    }
+    Result<std::unique_ptr<HidPort>> open(const HidDeviceInfo& info) override {
+        const auto& node = info.path == nodes_[0]->info.path ? nodes_[0] : nodes_[1];
+        return std::unique_ptr<HidPort>(std::make_unique<testing::ScriptedPort>(node));
+    }
 
-      private:
-        std::vector<std::shared_ptr<ScriptedHid>> nodes_;
-    };
+  private:
+    std::vector<std::shared_ptr<ScriptedHid>> nodes_;
+};
+
+// Two SpaceMice, or two nodes of one receiver.
+class HidSessionOfSeveralNodes : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        nodes[0]->info = {.path = "/dev/hidraw1", .may_open = true, .kind = HidKind::kSpaceMouse};
+        nodes[1]->info = {.path = "/dev/hidraw2", .may_open = true, .kind = HidKind::kSpaceMouse};
+        session = std::make_unique<HidSession>(link, std::make_unique<TwoNodes>(nodes),
+                                               std::make_unique<SpaceMouseDriver>(),
+                                               HidSessionOptions{.kind = HidKind::kSpaceMouse, .force = {}});
+        listen();
+    }
+    void listen() {
+        for (int round = 0; round < 60; ++round, now_ns += 4 * kMs)
+            static_cast<void>(session->round(now_ns));
+    }
+    [[nodiscard]] std::string used() { return link.status.latest().path; }
+
+    static constexpr const char* kPushed = "01 5e 01 00 00 00 00";
+    static constexpr const char* kPushedLess = "01 00 01 00 00 00 00";
+    static constexpr const char* kLeans = "01 38 00 00 00 00 00";
+    static constexpr const char* kLeansTrembling = "01 3b 00 00 00 00 00";
+
     std::vector<std::shared_ptr<ScriptedHid>> nodes{std::make_shared<ScriptedHid>(),
                                                     std::make_shared<ScriptedHid>()};
-    nodes[0]->info = {.path = "/dev/hidraw1", .may_open = true, .kind = HidKind::kSpaceMouse};
-    nodes[1]->info = {.path = "/dev/hidraw2", .may_open = true, .kind = HidKind::kSpaceMouse};
     HidLink link;
-    HidSession session(link, std::make_unique<TwoNodes>(nodes), std::make_unique<SpaceMouseDriver>(),
-                       {.kind = HidKind::kSpaceMouse, .force = {}});
+    std::unique_ptr<HidSession> session;
     std::int64_t now_ns = 0;
-    const auto listen = [&] {
-        for (int round = 0; round < 60; ++round, now_ns += 4 * kMs)
-            static_cast<void>(session.round(now_ns));
-    };
-    listen();
-    EXPECT_EQ(link.status.latest().path, "/dev/hidraw1");
+};
+
+// A receiver for several pucks shows a node for each: the one that a hand moves is wanted.
+TEST_F(HidSessionOfSeveralNodes, GoesOverToTheFirstThatSaysSomething) {
+    EXPECT_EQ(used(), "/dev/hidraw1");
     EXPECT_EQ(nodes[1]->open_ports, 1);
-    nodes[1]->report("01 5e 01 00 00 00 00");
+    nodes[1]->report(kPushed);
     listen();
-    EXPECT_EQ(link.status.latest().path, "/dev/hidraw2");
-    EXPECT_EQ(nodes[0]->open_ports, 0);
-    nodes[1]->report("01 5e 01 00 00 00 00");
-    static_cast<void>(session.round(now_ns));
+    EXPECT_EQ(used(), "/dev/hidraw2");
+    nodes[1]->report(kPushedLess);
+    static_cast<void>(session->round(now_ns));
     EXPECT_GT(link.input.latest().rate_mm_s.x, 0.0);
-    nodes[0]->report("01 5e 01 00 00 00 00");
+    EXPECT_EQ(nodes[0]->open_ports, 0);
+    nodes[0]->report(kPushed);
+    nodes[0]->report(kPushedLess);
     listen();
-    EXPECT_EQ(link.status.latest().path, "/dev/hidraw2") << "who has it keeps it";
+    EXPECT_EQ(used(), "/dev/hidraw2") << "who has it keeps it";
+}
+
+TEST_F(HidSessionOfSeveralNodes, LetsTheOneThatMovesWinAndNotTheOneThatLeans) {
+    for (const char* report : {kLeans, kLeansTrembling, kLeans, kLeans})
+        nodes[0]->report(report);
+    listen();
+    nodes[1]->report(kPushedLess);
+    listen();
+    EXPECT_EQ(used(), "/dev/hidraw1") << "two that only lean: the first";
+    nodes[0]->report(kLeans);
+    nodes[1]->report(kPushed);
+    listen();
+    EXPECT_EQ(used(), "/dev/hidraw2");
+    EXPECT_EQ(nodes[0]->open_ports, 0);
+}
+
+TEST_F(HidSessionOfSeveralNodes, GivesTheToolBackFromOneThatLeansToOneThatWasStill) {
+    for (const char* report : {kLeans, kLeansTrembling, kLeans})
+        nodes[1]->report(report);
+    listen();
+    EXPECT_EQ(used(), "/dev/hidraw2") << "the other has said nothing";
+    for (const char* report : {kPushedLess, kPushed})
+        nodes[0]->report(report);
+    listen();
+    EXPECT_EQ(used(), "/dev/hidraw1");
+    EXPECT_EQ(nodes[1]->open_ports, 0);
+}
+
+TEST_F(HidSessionOfSeveralNodes, CountsAPressedButtonAndATwistAsMotionButNoBattery) {
+    for (const char* report : {kLeans, "17 50", "17 4f", "02 00 00 00 00 00 00", "03 00"})
+        nodes[0]->report(report);
+    listen();
+    nodes[1]->report("17 50");
+    nodes[1]->report("17 4f");
+    listen();
+    EXPECT_EQ(used(), "/dev/hidraw1");
+    nodes[1]->report("03 01");
+    listen();
+    EXPECT_EQ(used(), "/dev/hidraw2");
+
+    SpaceMouseDriver driver;
+    EXPECT_TRUE(driver.has_moved(testing::hex("02 00 00 00 00 00 00"), testing::hex("02 00 00 00 00 00 01")));
+    EXPECT_FALSE(
+        driver.has_moved(testing::hex("02 00 00 00 00 00 00"), testing::hex("02 00 00 00 00 05 00")));
 }
 
 TEST_F(HidSessionTest, CountsARoundAsRefreshedOnlyWhenTheDriverSaysSo) {

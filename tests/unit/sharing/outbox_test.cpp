@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "game/sharing/kept_note.h"
 #include "shaders/curve.h"
@@ -265,6 +267,19 @@ TEST(KeptNote, IsReadAsItIsWritten) {
           "made 5\nexpires 9\nname x\nmore\n", "expires 9\nmade 5\nname x\n"})
         EXPECT_FALSE(read_note(text)) << text;
     EXPECT_LE(written({5, 9, std::string(5000, 'x')}).size(), kMostNoteBytes);
+}
+
+TEST(KeptNote, OfDamagedNumbersIsNotGivenAnotherTime) {
+    constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+    constexpr std::int64_t kNowS = kClockIsSetS + 1000;
+    EXPECT_FALSE(redated({kLeast, kMost, ""}, kNowS));
+    EXPECT_FALSE(redated({9, 5, ""}, kNowS));
+    EXPECT_FALSE(redated({5, 5 + 170 * 3600, ""}, kNowS)) << "no pot stays so long";
+    EXPECT_TRUE(redated({5, 5 + 169 * 3600, ""}, kNowS));
+    EXPECT_TRUE(is_over({kLeast, kMost, ""}, kNowS));
+    EXPECT_TRUE(is_over({kMost, kLeast, ""}, kNowS));
+    EXPECT_TRUE(is_over({9, 5, ""}, kNowS));
 }
 
 }  // namespace

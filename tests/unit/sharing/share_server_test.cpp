@@ -161,6 +161,19 @@ TEST_F(ShareServerAtWork, RefusesInOneAnswerWhatTheStandardWantsRefused) {
     EXPECT_EQ(server_->connections(), 0U);
 }
 
+// The gate lets such a head pass; the library has no memory for the fields (RFC 9110, 5.4; RFC 6585, 5).
+TEST_F(ShareServerAtWork, RefusesMoreShortFieldsThanItsMemoryHolds) {
+    std::string head = "GET / HTTP/1.1\r\nHost: pots\r\n";
+    while (head.size() < 2000)
+        head += "X: y\r\n";
+    test::HttpClient client(port_, 500);
+    client.say(head + "\r\n");
+    turn(2);
+    bool closed = false;
+    EXPECT_TRUE(client.rest(&closed).starts_with("HTTP/1.1 431 "));
+    EXPECT_TRUE(closed);
+}
+
 TEST_F(ShareServerAtWork, AnswersWhatIsUnusualAndAllowed) {
     for (const test::HeadCase& one : test::answered_heads())
         EXPECT_EQ(status_of(one.bytes), one.status) << one.section;
