@@ -1,7 +1,8 @@
 // Layout, little-endian. The paper's clay: "HST1"; c1, c2, c3, K turning, K standing, wheel speed, minimum
 // radius; the wheel's cosine and sine; the tool's x, y, z and radius (doubles); its button (32 bits); ticks
-// (64 bits); the clay. The studio's clay: "HST3"; its parameters (doubles; flags as 1 and 0); the tool
-// (tool_bytes); ticks (64 bits); the clay, with its wheel.
+// (64 bits); the clay. The studio's clay: "HST4"; its parameters (doubles; flags as 1 and 0); the manner of
+// the hands (double); the tool (tool_bytes); ticks (64 bits); the clay, with its wheel. "HST3" is the same
+// without the manner, for the narrow one.
 #include "game/haptic/start_state.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,10 @@ namespace onggi::haptic {
 namespace {
 
 constexpr std::uint32_t kPaperTag = 0x31545348;   // "HST1"
-constexpr std::uint32_t kStudioTag = 0x33545348;  // "HST3"
+constexpr std::uint32_t kNarrowTag = 0x33545348;  // "HST3"
+constexpr std::uint32_t kStudioTag = 0x34545348;  // "HST4"
+using clay::studio::Manner;
+
 constexpr std::size_t kHeadBytes = 4 + (7 + 2 + 4) * 8 + 4 + 8;
 
 // Visits the fields before the paper's clay, in the order of the file; the rate is not among them.
@@ -71,8 +75,10 @@ std::vector<std::byte> paper_bytes(const HapticState& state, const clay::PaperCl
 std::vector<std::byte> studio_bytes(const HapticState& state, const clay::StudioClay& studio,
                                     const HapticParameters& parameters) {
     clay::StateWriter out;
-    out.number(kStudioTag);
+    const bool is_narrow = parameters.studio.manner == Manner::kNarrow;
+    out.number(is_narrow ? kNarrowTag : kStudioTag);
     visit_head(out, parameters.studio);
+    if (!is_narrow) out.number(static_cast<double>(parameters.studio.manner));
     std::vector<std::byte> bytes = out.take();
     tool::put_whole_tool(bytes, state.tool);
     little_endian::put(bytes, state.ticks);
@@ -114,13 +120,19 @@ Result<Start> paper_start(std::span<const std::byte> bytes, double rate_hz) {
     return start;
 }
 
-Result<Start> studio_start(std::span<const std::byte> bytes, double rate_hz) {
+Result<Start> studio_start(std::span<const std::byte> bytes, double rate_hz, bool is_narrow) {
     HapticParameters parameters;
     parameters.set_rate_hz(rate_hz);
     clay::StateReader in(bytes.subspan(4));
     const auto strange = visit_head(in, parameters.studio);
+    double manner = static_cast<double>(Manner::kWide);
+    if (!is_narrow) clay::visit(in, manner);
     const std::size_t tool_at = 4 + in.asked();
     if (auto whole = check_size(bytes, tool_at + kStudioTailBytes); !whole) return whole.error();
+    if (manner != static_cast<double>(Manner::kWide))
+        return damaged("manner of the hands", fmt::format("{}", static_cast<int>(Manner::kWide)),
+                       fmt::format("{}", manner));
+    parameters.studio.manner = is_narrow ? Manner::kNarrow : Manner::kWide;
     if (strange) return damaged("switch", "0 or 1", fmt::format("{}", *strange));
     if (auto valid = clay::check(parameters.studio); !valid) return valid.error();
     const std::byte* const tool = bytes.data() + tool_at;
@@ -154,11 +166,11 @@ Result<Start> start_from_bytes(std::span<const std::byte> bytes, double rate_hz)
     if (auto whole = check_size(bytes, kHeadBytes); !whole) return whole.error();
     const auto tag = little_endian::get<std::uint32_t>(bytes.data());
     if (tag == kPaperTag) return paper_start(bytes, rate_hz);
-    if (tag != kStudioTag) {
-        return damaged("tag", fmt::format("{:08x} or {:08x}", kPaperTag, kStudioTag),
+    if (tag != kStudioTag && tag != kNarrowTag) {
+        return damaged("tag", fmt::format("{:08x}, {:08x} or {:08x}", kPaperTag, kNarrowTag, kStudioTag),
                        fmt::format("{:08x}", tag));
     }
-    return studio_start(bytes, rate_hz);
+    return studio_start(bytes, rate_hz, tag == kNarrowTag);
 }
 
 }  // namespace onggi::haptic

@@ -98,6 +98,27 @@ TEST(StudioStartState, ContinuesIdentically) {
     }
 }
 
+TEST(StudioStartState, StatesTheMannerOfTheHandsAndTakesStatesOfBefore) {
+    Start start = a_studio_start();
+    const auto wide = start_state_bytes(start.state, start.parameters);
+    start.parameters.studio.manner = clay::studio::Manner::kNarrow;
+    const auto narrow = start_state_bytes(start.state, start.parameters);
+    EXPECT_EQ(narrow.size() + sizeof(double), wide.size());
+    EXPECT_EQ(narrow[3], std::byte{'3'});
+    EXPECT_EQ(wide[3], std::byte{'4'});
+    const auto copy = start_from_bytes(narrow, 1000.0);
+    ASSERT_TRUE(copy) << copy.error().message;
+    EXPECT_EQ(copy->parameters.studio.manner, clay::studio::Manner::kNarrow);
+    EXPECT_TRUE(start_state_bytes(copy->state, copy->parameters) == narrow);
+    EXPECT_EQ(start_from_bytes(wide, 1000.0)->parameters.studio.manner, clay::studio::Manner::kWide);
+    auto unknown = wide;
+    unknown[4 + 31 * 8 + 7] = std::byte{0x41};
+    const auto refused = start_from_bytes(unknown, 1000.0);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("manner of the hands: expected 2"), std::string::npos)
+        << refused.error().message;
+}
+
 TEST(RejectsStudioStartState, ThatNoTickCouldHaveLeft) {
     const Start original = a_studio_start();
     const auto bytes = start_state_bytes(original.state, original.parameters);

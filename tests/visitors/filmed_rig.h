@@ -30,6 +30,9 @@ class FilmedRig final : public WheelRig {
     [[nodiscard]] double outer_mm(double y_mm) const override;
     [[nodiscard]] double inner_mm(double y_mm) const override;
 
+    [[nodiscard]] int steps_done() const override { return kiosk_.state().throwing.steps_done; }
+    [[nodiscard]] bool shows() const override { return kiosk_.state().throwing.shown.has_value(); }
+
     [[nodiscard]] const std::vector<Shot>& film() const { return film_; }
 
   private:

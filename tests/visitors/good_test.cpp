@@ -30,6 +30,10 @@ class GoodPots : public ::testing::TestWithParam<int> {
         const auto kind = static_cast<Kind>(GetParam());
         const auto all = throw_pots({.kind = kind, .count = kEach, .first_seed = 1001});
         fmt::print("{}\n", row_for(kind, all));
+        for (const Left& left : all) {
+            if (!left.verdict.is_good)
+                fmt::print("    {}; {}\n", left.verdict.why_not_good, words_for(left.verdict));
+        }
         EXPECT_GE(fraction_of_good_pots(all), kLeast[static_cast<std::size_t>(GetParam())]);
         write_sheet(test::in_build(fmt::format("good_{}.png", GetParam())),
                     {{all.begin(), all.begin() + kEach / 2}, {all.begin() + kEach / 2, all.end()}});

@@ -37,19 +37,20 @@ double middle_at(const clay::studio::Rings& rings, double y) {
 void measure_wall(const clay::StudioClay& clay, Verdict& verdict) {
     constexpr double kStepMm = 0.5;
     constexpr double kSlopeMm = 2.0;  // to either side
+    constexpr double kLipMm = 2.5;    // the round of the lip counts with its width
     const clay::studio::Rings& rings = clay.rings();
     const double floor = clay.floor_mm();
     const double top = clay.height_mm();
     double sum = 0.0;
     int count = 0;
-    verdict.thinnest_up_mm = 1e9;
+    verdict.thinnest_up_mm = verdict.thinnest_mm;
     for (double y = floor + kGoodFromMm; y < top; y += kStepMm) {
         const double low = std::max(y - kSlopeMm, floor + 0.5);
         const double high = std::min(y + kSlopeMm, top - 0.01);
         const double slope = (middle_at(rings, high) - middle_at(rings, low)) / std::max(high - low, 0.1);
         const double wall = rings.wall_mm(rings.ring_at(y)) / std::sqrt(1.0 + slope * slope);
         verdict.thickest_up_mm = std::max(verdict.thickest_up_mm, wall);
-        verdict.thinnest_up_mm = std::min(verdict.thinnest_up_mm, wall);
+        if (y < top - kLipMm) verdict.thinnest_up_mm = std::min(verdict.thinnest_up_mm, wall);
         sum += wall;
         ++count;
     }

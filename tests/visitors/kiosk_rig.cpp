@@ -109,6 +109,7 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     for (; static_cast<double>(ticks_) < now_s_ * kRateHz; ++ticks_)
         haptic::tick(state_, device_.read_tool(ticks_, 1.0 / kRateHz), parameters_);
     shape_ = haptic::pot_of(state_);
+    if (finger_.shows()) released_mm_ = faces_mm();
 }
 
 // Applies the effects of a demonstration; those of undo, saving and sound need the whole kiosk.

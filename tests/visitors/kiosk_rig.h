@@ -30,10 +30,12 @@ class KioskRig final : public WheelRig {
     [[nodiscard]] double outer_mm(double y_mm) const override;
     [[nodiscard]] double inner_mm(double y_mm) const override;
 
+    [[nodiscard]] int steps_done() const override { return visit_.throwing.steps_done; }
     [[nodiscard]] bool shows() const override { return finger_.shows(); }
 
     [[nodiscard]] const clay::StudioClay& clay() const { return *state_.studio(); }
-    // Both faces of every ring, bottom first, at the last release of the pointer.
+    // Both faces of every ring, bottom first, at the last release of the pointer or the end of
+    // the last demonstration.
     [[nodiscard]] const std::vector<double>& released_mm() const { return released_mm_; }
     [[nodiscard]] std::vector<double> faces_mm() const;
 

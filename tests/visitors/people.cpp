@@ -149,26 +149,19 @@ void pull_wall(Person& person, double seconds) {
 
 void follow_lesson(Person& person, double longest_s) {
     WheelRig& wheel = person.wheel();
-    const double start = wheel.height_mm();
-    const double foot = wheel.outer_mm(8.0);
     const auto pace = [&](double least, double most) {
         return std::min(person.uniform(least, most), longest_s);
     };
     person.wait(person.uniform(0.5, 2.0));
-    for (int i = 0; i < 12 && wheel.depth_mm() < 18.0; ++i) {
-        if (foot - wheel.outer_mm(8.0) > 3.0 || wheel.height_mm() > start + 6.0) break;
+    for (int i = 0; i < 12 && wheel.steps_done() < 1; ++i)
         press_in(person, pace(1.0, 3.0));
-    }
-    for (int i = 0; i < 14 && wheel.depth_mm() < 18.0; ++i)
+    for (int i = 0; i < 14 && wheel.steps_done() < 2; ++i)
         press_middle(person, pace(1.0, 3.0));
     person.note_progress();
-    const double opened = wheel.height_mm();
     const int wanted = 1 + static_cast<int>(person.uniform(0.0, 3.0));
-    int pulls = 0;
-    while (pulls < 24 && (pulls < wanted || wheel.height_mm() < std::max(1.4 * opened, 75.0))) {
+    for (int pulls = 0; pulls < 24 && (pulls < wanted || wheel.steps_done() < 3); ++pulls) {
         pull_wall(person, pace(1.5, 4.0));
         person.note_progress();
-        ++pulls;
     }
 }
 
@@ -325,23 +318,20 @@ void draw_up(Person& person, int times, double least_s, double most_s) {
 // The lesson, slowly, with rests of up to 15 s after some of the strokes.
 void follow_slowly(Person& person, double chance_of_pause, double chance_of_lift) {
     WheelRig& wheel = person.wheel();
-    const double start = wheel.height_mm();
-    const double foot = wheel.outer_mm(8.0);
     const auto rest = [&] {
         if (person.happens(chance_of_pause)) person.wait(person.uniform(4.0, 15.0));
     };
     person.wait(person.uniform(2.0, 5.0));
-    for (int i = 0; i < 4 && wheel.depth_mm() < 18.0; ++i) {
-        if (foot - wheel.outer_mm(8.0) > 3.0 || wheel.height_mm() > start + 6.0) break;
+    for (int i = 0; i < 4 && wheel.steps_done() < 1; ++i) {
         press_in(person, person.uniform(4.0, 8.0));
         rest();
     }
-    for (int i = 0; i < 6 && wheel.depth_mm() < 18.0; ++i) {
+    for (int i = 0; i < 6 && wheel.steps_done() < 2; ++i) {
         press_middle(person, person.uniform(4.0, 9.0));
         rest();
     }
-    const int pulls = 3 + static_cast<int>(person.uniform(0.0, 4.0));
-    for (int i = 0; i < pulls; ++i) {
+    const int wanted = 3 + static_cast<int>(person.uniform(0.0, 4.0));
+    for (int i = 0; i < 10 && (i < wanted || wheel.steps_done() < 3); ++i) {
         const double top = wheel.height_mm();
         const double y = person.uniform(0.15, 0.35) * top;
         const double over = person.uniform(-6.0, 25.0);

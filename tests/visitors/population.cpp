@@ -109,14 +109,14 @@ std::string row_for(Kind kind, const std::vector<Left>& all) {
             values.push_back(value(left));
         return median(std::move(values));
     };
-    return fmt::format("{:14} {:4} {:5.0f} % {:5.0f} % {:6.1f} {:6.1f} {:6.0f} {:6.0f} {:6.0f}",
+    return fmt::format("{:14} {:4} {:5.0f} % {:5.0f} % {:6.1f} {:6.1f} {:6.0f} {:6.0f} {:6.0f} {:6.1f}",
                        kKindNames[static_cast<std::size_t>(kind)], all.size(), 100.0 * fraction_of_pots(all),
                        100.0 * fraction_of_good_pots(all),
                        of([](const Left& left) { return left.verdict.mean_wall_mm; }),
                        of([](const Left& left) { return left.verdict.thickest_up_mm; }),
                        of([](const Left& left) { return left.verdict.capacity_ml; }),
                        of([](const Left& left) { return left.verdict.height_mm; }),
-                       of([](const Left& left) { return left.visit.seconds; }));
+                       of([](const Left& left) { return left.visit.seconds; }), median_rms_mm(all));
 }
 
 double fraction_within_mm(const std::vector<Left>& all, double rms_mm) {

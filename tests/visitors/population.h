@@ -43,7 +43,8 @@ double median_made_s(const std::vector<Left>& all);  // visitors without a pot c
 std::string words_for(const std::vector<Left>& all);
 
 // One line for the table of kinds: count, pots, good pots, and the medians of the mean
-// and the thickest wall (mm), capacity (ml), height (mm) and time (s).
+// and the thickest wall (mm), capacity (ml), height (mm), time (s) and the distance from a drawn outline
+// (mm).
 std::string row_for(Kind kind, const std::vector<Left>& all);
 
 // Writes their pots as a picture, a row a crowd, half outside and half cut, the outline they meant in white.

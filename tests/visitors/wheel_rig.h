@@ -21,6 +21,8 @@ class WheelRig {
     [[nodiscard]] virtual double outer_mm(double y_mm) const = 0;
     [[nodiscard]] virtual double inner_mm(double y_mm) const = 0;  // 0: solid
 
+    // The lesson's progress on the screen, 0 to 3: pressed, opened, raised.
+    [[nodiscard]] virtual int steps_done() const = 0;
     // Whether the wheel's own hands demonstrate a step. Most people watch them.
     [[nodiscard]] virtual bool shows() const { return false; }
 

@@ -29,6 +29,7 @@ enum class GripGuard : std::uint8_t {
     kAsWide,      // as wide as the clay, the foot or the wheel allows
     kAsLow,       // pressed down as far as one touch goes
     kNearLimit,   // the clay would give way
+    kAsHigh,      // pulled up as far as one touch goes
 };
 
 // The hands' state for display, once a tick.

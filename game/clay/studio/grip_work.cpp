@@ -23,6 +23,11 @@ constexpr double kErrorSlowsOverMm = 10.0;
 constexpr double kSlowest = 0.12;
 constexpr double kStillMmS = 12.0;  // a slower finger counts as lying still
 
+// Fractions of the radius: so far inside the outline, a finger is on the face. Lower down it may mean the
+// foot.
+constexpr double kOnFace = 0.3;
+constexpr double kOnFoot = 0.45;
+constexpr double kFootMm = 15.0;
 constexpr double kNarrowsTo = 0.7;  // fraction of the radius at landing
 
 double distance(const dvec2& a, const dvec2& b) {
@@ -73,7 +78,7 @@ GripOutline outline_of(const Rings& rings, double y) noexcept {
 }
 
 // Starts a touch at (x, y).
-void land(GripState& state, const Rings& rings, const dvec2& finger) noexcept {
+void land(GripState& state, const Rings& rings, const dvec2& finger, bool wide) noexcept {
     const double credit = state.credit_s;
     state = {};
     state.credit_s = credit;
@@ -91,12 +96,22 @@ void land(GripState& state, const Rings& rings, const dvec2& finger) noexcept {
     const double wall = outer_face_mm(rings, finger.y);
     state.offset_mm = wall - state.finger_mm.x;
     state.offset_way_mm = std::fabs(state.offset_mm) <= std::max(14.0, 0.6 * wall) ? 4.0 : 60.0;
+    // On the face of a hollow pot, a finger moves the wall behind it without drawing it to itself.
+    const double on_face = finger.y < kFootMm ? kOnFoot : kOnFace;
+    if (wide && is_hollow(rings) && state.offset_mm > on_face * wall) state.offset_way_mm = 1e6;
     state.bottom_mm = is_hollow(rings) ? rings.floor_mm() : top;
     state.bore_mm = kThumbsMm;
     if (state.grip == Grip::kOpen && is_hollow(rings)) {
         const int above = rings.ring_at(std::min(rings.floor_mm() + kThumbsMm, top));
         state.bore_mm = std::max(kThumbsMm, rings.inner_mm[Rings::at(above)]);
     }
+}
+
+// Whether a finger that began off the clay has come to it.
+bool is_at_clay(const Rings& rings, const dvec2& finger) noexcept {
+    constexpr double kNearMm = 6.0;
+    return finger.y < rings.top_mm() + kNearMm &&
+           std::fabs(finger.x) < outer_face_mm(rings, finger.y) + kNearMm;
 }
 
 // Smooths the finger by one step and extends the trail.
@@ -246,7 +261,7 @@ struct Carry {
 struct Bore {
     double bottom_mm = 0.0;
     double radius_mm = 0.0;
-    double outward = 0.3;
+    double outward = 0.0;
     double largest_strain = 0.03;  // fraction of a ring's height
 };
 
@@ -453,6 +468,16 @@ double pull_up(Rings& rings, GripSpace& space, double rise, double largest_strai
     return risen;
 }
 
+// The rise of the rim that would leave every wall at its thinnest.
+double spare_rise(const Rings& rings) noexcept {
+    double rise = 0.0;
+    for (int i = rings.first_hollow; i < rings.count; ++i) {
+        const double thinnest = thinnest_mm(rings, rings.centre_mm(i));
+        rise += rings.height_mm[at(i)] * std::max(rings.wall_mm(i) / thinnest - 1.0, 0.0);
+    }
+    return rise;
+}
+
 // Presses the rim down by `sink`; the wall below it thickens to both sides.
 Changed press_down(Rings& rings, double sink) noexcept {
     constexpr double kZone = 0.8;  // fraction of the depth
@@ -542,6 +567,34 @@ Changed fair_wall(Rings& rings, GripSpace& space, double y, double middle_fracti
     return together(range, share_out(rings, space.weight, y, free));
 }
 
+// Hands that climb past clay that is thicker than the rest of the wall take it up with them (Manner::kWide).
+Changed carry_up(Rings& rings, GripSpace& space, double y, double fraction) noexcept {
+    constexpr double kReachMm = 14.0;
+    constexpr double kAheadMm = 24.0;
+    double walls = 0.0;
+    double thinnest = 0.0;
+    for (int i = rings.first_hollow; i < rings.count; ++i) {
+        walls += rings.height_mm[at(i)] * rings.wall_mm(i);
+        thinnest += rings.height_mm[at(i)] * thinnest_mm(rings, rings.centre_mm(i));
+    }
+    if (!(walls > thinnest)) return {};
+    Rings::Range range = rings.rings_between(y - kReachMm, y + kReachMm);
+    range.first = std::max(range.first, rings.first_hollow);
+    if (range.size() < 1) return {};
+    double free = 0.0;
+    for (int i = range.first; i < range.end; ++i) {
+        const double centre = rings.centre_mm(i);
+        const double s = (centre - y) * (1.0 / kReachMm);
+        const double now = rings.wall_mm(i);
+        const double even = thinnest_mm(rings, centre) * walls / thinnest;
+        if (!(s * s < 1.0) || !(now > even)) continue;
+        const double weight = fraction * (1.0 - s * s) * (1.0 - s * s);
+        const double outer = rings.outer_mm[at(i)];
+        free += reshape(rings, i, outer, outer - now + weight * (now - even));
+    }
+    return together(range, share_out(rings, space.weight, y + kAheadMm, free));
+}
+
 // Rounds the rim's edge, as a wet leather does.
 Changed soften_lip(Rings& rings, GripSpace& space, double fraction) noexcept {
     constexpr double kEdgeMm = 2.8;  // keeps a lip from getting sharp
@@ -579,6 +632,8 @@ constexpr double kRestsAfterS = 0.5;
 constexpr double kRestMmS = 4.0;
 constexpr double kRestMm = 4.0;
 constexpr double kBehindMm = 12.0;
+constexpr double kLowestWallMm = 46.0;  // lower clay is not moved outward
+constexpr double kLowestDishMm = 18.0;  // the same, for Manner::kWide: a dish, and no flat cake
 
 // The rim.
 constexpr double kCatchBelowMm = 3.0;
@@ -590,14 +645,32 @@ constexpr double kStrainPerS = 2.0;
 
 // OPEN.
 constexpr double kThickFloorMm = 12.5;
+constexpr double kNarrowOpening = 0.45;  // fraction of the radius to which an opening widens by itself
+constexpr double kWideOpening = 0.7;     // the same, for Manner::kWide
+constexpr double kNarrowOutward = 0.3;   // fraction of the clay that goes to the outer face
+constexpr double kWideOutward = 0.5;
+constexpr double kSinksMmS = 12.0;      // by itself, under thumbs that move
+constexpr double kWideSinksMmS = 36.0;  // by itself, under thumbs that lie still
+constexpr double kWidensMmS = 60.0;
+
+// PULL.
+constexpr double kTouchEndsMm = 12.0;  // over this way a touch's part of the rise runs out
+constexpr double kCreepsMmS = 8.0;     // and then goes on so slowly
+constexpr double kCarryUpS = 0.15;     // relaxation of clay that is thicker than the rest
+
+double opening_mm(const Rings& rings, bool wide) {
+    return (wide ? kWideOpening : kNarrowOpening) * outer_face_mm(rings, 0.5 * rings.top_mm());
+}
 
 // Fraction of a thinning or widening move that the load allows.
 double load_fraction(const GripClimate& climate) {
     return std::clamp((kGuardedLoad - climate.load_index) / kGuardWidth, 0.0, 1.0);
 }
 
-Bore bore_of(const GripState& state) {
-    return {.bottom_mm = state.bottom_mm, .radius_mm = state.bore_mm};
+Bore bore_of(const GripState& state, const GripClimate& climate) {
+    return {.bottom_mm = state.bottom_mm,
+            .radius_mm = state.bore_mm,
+            .outward = climate.wide ? kWideOutward : kNarrowOutward};
 }
 
 // Lowers the bottom of the bore; once there, widens the bore. Returns true once both are complete.
@@ -618,32 +691,37 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double r = state.finger_mm.x;
     const double down = std::max(state.landed_mm.y - state.finger_mm.y, 0.0);
     const double aside = std::fabs(r - state.landed_mm.x);
-    const double solid = outer_face_mm(rings, 0.5 * rings.top_mm());
     // One and a half times as deep as the finger went; also sinks by itself under a finger that lies still.
     const double wanted = state.landed_top_mm - 1.5 * down;
     double sink = std::clamp(state.bottom_mm - wanted, 0.0, 45.0 * kGripStepS);
     const bool lies = state.still_s > 0.15;
-    if (lies) sink = std::max(sink, 28.0 * kGripStepS);
+    if (lies) sink = std::max(sink, (climate.wide ? kWideSinksMmS : 28.0) * kGripStepS);
+    if (climate.wide) sink = std::max(sink, kSinksMmS * kGripStepS);
     double widest = state.bore_mm;
     double widen = 0.0;
     if (aside > 4.0) {
         widest = std::min(kThumbsMm + aside, 60.0 * climate.size);
         widen = 55.0 * kGripStepS;
-    } else if (lies) {
-        widest = 0.45 * solid;
+    } else if (lies && !climate.wide) {
+        widest = opening_mm(rings, climate.wide);
         widen = 15.0 * kGripStepS;
+    }
+    if (climate.wide) {
+        widest = std::max(widest, opening_mm(rings, climate.wide));
+        widen = std::max(widen, kWidensMmS * kGripStepS);
     }
     const double grant = load_fraction(climate) * climate.softness;
     deepen(state, rings, sink * climate.softness, widen * grant, widest);
     state.hand_mm = {std::max(state.bore_mm - kThumbsMm, 0.0), state.bottom_mm + 0.5 * kThumbsMm};
     state.press_mm = 0.5 + (sink + widen) * 0.1 / kGripStepS;
     hold(state, state.bottom_mm, rings.top_mm());
-    return open_bore(rings, bore_of(state));
+    return open_bore(rings, bore_of(state, climate));
 }
 
 // Solid clay got a touch that needs hollow clay: the other hand opens the clay.
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
-    const double widest = 0.45 * outer_face_mm(rings, 0.5 * rings.top_mm());
+    // Who draws an outline needs its clay in the wall: not as wide as thumbs go.
+    const double widest = opening_mm(rings, false);
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);
     const bool is_open = deepen(state, rings, 60.0 * kGripStepS * climate.softness,
                                 30.0 * kGripStepS * climate.softness, widest);
@@ -651,7 +729,7 @@ Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climat
         state.opens_by_itself = false;
         state.landed_top_mm = rings.top_mm();
     }
-    return open_bore(rings, bore_of(state));
+    return open_bore(rings, bore_of(state, climate));
 }
 
 Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
@@ -673,7 +751,11 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     if (step > 0.0) {
         step *= load_fraction(climate);
         if (wanted > 0.0 && step < 0.3 * wanted) state.guard = GripGuard::kNearLimit;
-        step *= std::clamp((top - 46.0 * climate.size) / 10.0, 0.0, 1.0);
+        const double lowest = climate.wide ? kLowestDishMm : kLowestWallMm;
+        const double spreads = std::clamp((top - lowest * climate.size) / 10.0, 0.0, 1.0);
+        step *= spreads;
+        const bool is_widest = now > kWidestGripMm - 1.0 && state.hand_mm.x > now + 3.0;
+        if (climate.wide && (is_widest || (spreads < 0.3 && error > 3.0))) state.guard = GripGuard::kAsWide;
     } else {
         step *= std::clamp((std::max(state.landed_top_mm, y) + 12.0 - top) / 8.0, 0.0, 1.0);
         if (state.hand_mm.x + state.offset_mm < wall_target(state, rings) - 3.0)
@@ -703,6 +785,13 @@ Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripCl
     const double highest = kTallestPullMm * climate.size;
     double rise = std::min((y - top) * relaxed(kPullS), kPullMmS * kGripStepS * climate.softness);
     rise = std::min(rise, highest - top) * load_fraction(climate);
+    if (climate.wide) {
+        // A touch takes half of what it found: what it has risen is at most what is left.
+        const double left = spare_rise(rings) - (top - state.landed_top_mm);
+        const double part = std::clamp(left / kTouchEndsMm, 0.0, 1.0);
+        if (part < 0.3 && rise > 0.0) state.guard = GripGuard::kAsHigh;
+        rise = std::min(rise, (part * kPullMmS + kCreepsMmS) * kGripStepS * climate.softness);
+    }
     if (!(rise > 0.0)) {
         state.guard = GripGuard::kNearLimit;
         state.is_spent = true;
@@ -770,7 +859,6 @@ Changed lower_floor(Rings& rings, double rate_mm_s) {
     const double bore = std::max(rings.inner_mm[Rings::at(above)], kNarrowestBoreMm);
     return open_bore(rings, {.bottom_mm = std::max(floor - rate_mm_s * kGripStepS - 0.5, kFloorMm),
                              .radius_mm = bore,
-                             .outward = 0.0,
                              .largest_strain = 0.01});
 }
 
@@ -784,6 +872,8 @@ Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const dvec
     state.press_mm = 0.0;
     decide(state, rings);
     if (state.grip == Grip::kOpen) return open_step(state, rings, climate);
+    if (climate.wide && state.grip == Grip::kNone && is_at_clay(rings, finger))
+        land(state, rings, finger, true);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking) {
         walk(state, 0.0, 1e9);
         return {};
@@ -818,7 +908,7 @@ Changed third_stage(GripState& state, Rings& rings, GripSpace& space, const Grip
     return pull_step(state, rings, space, climate);
 }
 
-Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space) {
+Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
     state.bears_n_mm = bearable_twist(rings, state.hand_mm.y);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking || !is_hollow(rings)) return {};
     const bool opens = state.grip == Grip::kOpen || state.opens_by_itself;
@@ -826,6 +916,11 @@ Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space) {
     Changed changed =
         fair_wall(rings, space, std::clamp(state.hand_mm.y, 0.0, rings.top_mm()), relaxed(0.3), relaxed(1.5));
     place(rings, changed);
+    if (climate.wide && state.heading > 0.2) {
+        const double y = std::clamp(state.hand_mm.y, 0.0, rings.top_mm());
+        changed = together(changed, carry_up(rings, space, y, relaxed(kCarryUpS)));
+        place(rings, changed);
+    }
     if (state.hand_mm.y > rings.top_mm() - 20.0)
         changed = together(changed, soften_lip(rings, space, relaxed(0.6)));
     place(rings, changed);
@@ -857,7 +952,7 @@ double bearable_twist(const Rings& rings, double y) {
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,
                   const GripClimate& climate, double dt_s) noexcept {
     if (rings.count < 3) return {};
-    if (!state.presses) land(state, rings, finger);
+    if (!state.presses) land(state, rings, finger, climate.wide);
     Changed changed{};
     state.credit_s += dt_s;
     while (state.credit_s > kGripStageS - 1e-9) {
@@ -874,7 +969,7 @@ Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2&
                 now = third_stage(state, rings, space, climate);
                 break;
             default:
-                now = fourth_stage(state, rings, space);
+                now = fourth_stage(state, rings, space, climate);
                 break;
         }
         state.stage = (state.stage + 1) % kGripStages;

@@ -87,6 +87,7 @@ struct GripClimate {
     double load_index = 0.0;  // the largest of the load sweep
     double softness = 1.0;    // how readily the clay flows; 1 for fresh clay
     double size = 1.0;        // cube root of the lump's mass in kilograms
+    bool wide = true;         // Manner::kWide
 };
 
 // Half the torque that breaks the weakest ring from the wheel up to that height, N mm: a steady potter

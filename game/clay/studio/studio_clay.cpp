@@ -565,7 +565,8 @@ studio::GripClimate StudioClay::climate(const StudioParameters& parameters) cons
                         studio::flow_time_s(su, parameters.flow_time_s);
     return {.load_index = std::max(sweep_.peak_index, sweep_.growing_peak),
             .softness = std::clamp(pace, 0.4, 1.3),
-            .size = exponential(natural_log(lump_.mass_g / kKilogram) / 3.0)};
+            .size = exponential(natural_log(lump_.mass_g / kKilogram) / 3.0),
+            .wide = parameters.manner == studio::Manner::kWide};
 }
 
 // While the wheel turns, the hands of the grip work; while it stands, a finger leaves a dent.

@@ -65,9 +65,8 @@ bool is_sound(const studio::GripState& grip) {
         std::span(trail.point_mm)
             .first(static_cast<std::size_t>(std::clamp(trail.count, 0, studio::GripTrail::kMost)));
     return is_between(static_cast<int>(grip.grip), 0, static_cast<int>(studio::Grip::kRim)) &&
-           is_between(static_cast<int>(grip.guard), 0, static_cast<int>(studio::GripGuard::kNearLimit)) &&
-           is_between(static_cast<int>(grip.shown_guard), 0,
-                      static_cast<int>(studio::GripGuard::kNearLimit)) &&
+           is_between(static_cast<int>(grip.guard), 0, static_cast<int>(studio::GripGuard::kAsHigh)) &&
+           is_between(static_cast<int>(grip.shown_guard), 0, static_cast<int>(studio::GripGuard::kAsHigh)) &&
            is_place(grip.finger_mm) && is_place(grip.hand_mm) && is_place(grip.landed_mm) &&
            std::fabs(grip.side) == 1.0 && is_near(grip.landed_top_mm) && is_near(grip.offset_mm) &&
            is_between(grip.offset_way_mm, 1.0, 1e7) && is_number(grip.travel_mm) &&

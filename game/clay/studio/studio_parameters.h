@@ -1,6 +1,8 @@
 // Constants of the studio clay. Plain values. Units: mm, N, s, rad, kPa, g, ml.
 #pragma once
 
+#include <cstdint>
+
 #include "engine/core/result.h"
 #include "engine/math/math.h"
 #include "game/clay/studio/wheel.h"
@@ -19,6 +21,12 @@ constexpr double kDeepestMm = 10.0;  // flow and force of a deeper tool stop gro
 constexpr double kDensityGPerMm3 = 1.9e-3;
 constexpr double kGravityMmS2 = 9810.0;
 constexpr double kKpaPerNMm2 = 1000.0;
+
+// How skilled hands follow a finger (grip_work.h). A session states its manner and replays with it.
+enum class Manner : std::uint8_t {
+    kNarrow = 1,  // sessions before HST4: the opening stays as narrow as the thumbs
+    kWide = 2,    // the opening grows as wide as a potter's, and a pull takes a part of what is left
+};
 
 }  // namespace studio
 
@@ -51,6 +59,8 @@ struct StudioParameters {
     double diffusivity_mm2_s = 5e-3;      // of water from ring to ring: 1.5 mm in five minutes
     bool slumps = true;                   // overloaded clay gives way
     bool forgiving = false;               // the wheel slows by itself before the clay fails
+
+    studio::Manner manner = studio::Manner::kWide;  // of the hands that follow a finger
 
     // Feel.
     double bearing_factor_nc = 6.0;          // Nc

@@ -105,8 +105,8 @@ void draw_way(DrawList& list, CueWay way, vec2 from, float alpha, float u) {
 }  // namespace
 
 std::string_view key_of(CueGuard guard) {
-    constexpr std::array<std::string_view, kCueGuardCount> kKeys{"",           "guard.clay", "guard.narrow",
-                                                                 "guard.wide", "guard.low",  "guard.limit"};
+    constexpr std::array<std::string_view, kCueGuardCount> kKeys{
+        "", "guard.clay", "guard.narrow", "guard.wide", "guard.low", "guard.limit", "guard.high"};
     return kKeys[static_cast<std::size_t>(guard)];
 }
 

@@ -17,8 +17,8 @@ struct Band {
 };
 
 // The reason why the clay follows the finger only in part; kNone if it follows fully.
-enum class CueGuard { kNone, kNoMoreClay, kAsNarrow, kAsWide, kAsLow, kNearLimit };
-constexpr int kCueGuardCount = 6;
+enum class CueGuard { kNone, kNoMoreClay, kAsNarrow, kAsWide, kAsLow, kNearLimit, kAsHigh };
+constexpr int kCueGuardCount = 7;
 // The language tables' key of the reason; empty for kNone.
 [[nodiscard]] std::string_view key_of(CueGuard guard);
 

@@ -31,19 +31,25 @@ TEST_F(LessonTest, CountsAFootNarrowerByThreeOrAHeightOfSixMoreAsPressed) {
 TEST_F(LessonTest, CountsAWideAndDeepHollowAsOpened) {
     EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 30, 20)), 0) << "not deep enough";
     EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 12)), 0) << "a hole for a thumb";
-    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 16)), 2) << "which requires a press";
-    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(60, 62, 15, 16)), 2);
-    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(64, 55, 11, 30)), 3) << "1.4 of 45";
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 22)), 0) << "a bore";
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 26)), 2) << "which requires a press";
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(60, 62, 15, 26)), 2);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(64, 55, 11, 46)), 3) << "1.4 of 45";
 }
 
 TEST_F(LessonTest, CountsAWallOfSeventyFiveAsRaisedHoweverItCameToIt) {
     EXPECT_EQ(lesson.steps_done(test::millimetre_pot(80, 45, 80, 0)), 1) << "a cone is no wall";
-    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(74, 50, 15, 20)), 2);
-    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(76, 50, 15, 20)), 3);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(74, 50, 15, 41)), 2);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(76, 50, 15, 41)), 3);
+}
+
+TEST_F(LessonTest, AsksForAnotherPullWhileTheWallIsThickerThanNineAndAHalf) {
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(100, 50, 15, 40)), 2);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(100, 50, 15, 41)), 3);
 }
 
 TEST_F(LessonTest, NeverGoesBack) {
-    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 16)), 2);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 26)), 2);
     EXPECT_EQ(lesson.steps_done(lump()), 2);
     lesson.begin();
     EXPECT_EQ(lesson.steps_done(lump()), 0);
@@ -60,9 +66,9 @@ TEST_F(LessonTest, AsksLessOfASmallLumpAndMoreOfALargeOne) {
         const double fresh_mm = std::round(44.0 * size);
         EXPECT_EQ(lesson.steps_done(test::millimetre_pot(fresh_mm, 62.0 * size, fresh_mm, 0)), 0);
         const double opened_mm = std::round(55.0 * size);
-        EXPECT_EQ(lesson.steps_done(test::millimetre_pot(opened_mm, 62.0 * size, 11.0, 16.0 * size)), 2)
+        EXPECT_EQ(lesson.steps_done(test::millimetre_pot(opened_mm, 62.0 * size, 11.0, 26.0 * size)), 2)
             << size;
-        EXPECT_EQ(lesson.steps_done(test::millimetre_pot(height_mm, 55.0 * size, 11.0, 30.0 * size)), steps)
+        EXPECT_EQ(lesson.steps_done(test::millimetre_pot(height_mm, 55.0 * size, 11.0, 46.0 * size)), steps)
             << size << ' ' << height_mm;
     }
 }

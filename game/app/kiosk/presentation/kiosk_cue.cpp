@@ -61,6 +61,8 @@ CueGuard words_of(GripGuard guard) {
             return CueGuard::kAsLow;
         case GripGuard::kNearLimit:
             return CueGuard::kNearLimit;
+        case GripGuard::kAsHigh:
+            return CueGuard::kAsHigh;
     }
     return CueGuard::kNone;
 }

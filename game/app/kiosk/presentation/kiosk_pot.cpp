@@ -18,9 +18,10 @@ namespace {
 // The size of the lesson's moves for a kilogram; other lumps scale by the cube root of their mass.
 constexpr double kPressedMm = 3.0;       // a foot narrower by this, or a lump higher by twice as much
 constexpr double kOpenedMm = 18.0;       // from rim to floor
-constexpr double kOpenedBoreMm = 14.0;   // in the middle of that depth, to the inner face
+constexpr double kOpenedBoreMm = 24.0;   // in the middle of that depth, to the inner face
 constexpr double kRaisedFraction = 1.4;  // of the height at the opening
 constexpr double kRaisedMm = 75.0;       // or this height in any case
+constexpr double kDrawnWallMm = 9.5;     // of a raised wall in the mean, for a kilogram
 constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;
 
 double volume_mm3(const pot::Pot& shape) {
@@ -37,6 +38,21 @@ double volume_mm3(const pot::Pot& shape) {
         below_mm = top_mm;
     }
     return volume;
+}
+
+// Mean thickness of the wall, from a little above the floor to the rim; 0 for solid clay.
+double mean_wall_mm(const pot::Pot& shape) {
+    constexpr int kHeights = 16;
+    constexpr double kFootFraction = 0.1;  // of the depth
+    const double depth_mm = shape.height_mm - shape.floor_mm;
+    if (is_solid(shape) || !(depth_mm > 0.0)) return 0.0;
+    double sum = 0.0;
+    for (int i = 0; i < kHeights; ++i) {
+        const double fraction = kFootFraction + (1.0 - kFootFraction) * (i + 0.5) / kHeights;
+        const pot::Wall wall = wall_at(shape, shape.floor_mm + fraction * depth_mm);
+        sum += wall.outer_mm - wall.inner_mm;
+    }
+    return sum / kHeights;
 }
 
 }  // namespace
@@ -59,8 +75,8 @@ int Lesson::steps_done(const pot::Pot& shape) {
     const bool was_opened = opened_height_mm_ > 0.0;
     const bool pressed = start_foot_mm_ - foot_mm >= kPressedMm * size_ ||
                          height_mm - start_height_mm_ >= 2.0 * kPressedMm * size_;
-    const bool raised =
-        is_open && (height_mm > kRaisedFraction * opened_height_mm_ || height_mm >= kRaisedMm * size_);
+    const bool raised = is_open && mean_wall_mm(shape) <= kDrawnWallMm * size_ &&
+                        (height_mm > kRaisedFraction * opened_height_mm_ || height_mm >= kRaisedMm * size_);
     // Opening includes pressing, and raising includes both: a visitor who begins with a later move has done
     // the earlier ones.
     done_ = std::max(done_, raised ? 3 : was_opened ? 2 : pressed ? 1 : 0);
