@@ -32,7 +32,7 @@ class GoodPots : public ::testing::TestWithParam<int> {
         fmt::print("{}\n", row_for(kind, all));
         for (const Left& left : all) {
             if (!left.verdict.is_good)
-                fmt::print("    {}; {}\n", left.verdict.why_not_good, words_for(left.verdict));
+                fmt::print("    {}/{}; {}\n", left.verdict.why_not, left.verdict.why_not_good, words_for(left.verdict));
         }
         EXPECT_GE(fraction_of_good_pots(all), kLeast[static_cast<std::size_t>(GetParam())]);
         write_sheet(test::in_build(fmt::format("good_{}.png", GetParam())),
@@ -80,6 +80,36 @@ TEST(Hands, LeaveNoGoodPotToWhoeverOnlyHoldsStill) {
     for (double t = 0.0; t < 60.0; t += kFrameS)
         rig.frame({r, y}, true);
     EXPECT_FALSE(judge(rig.clay(), {}).is_good);
+}
+
+
+// Strokes of somebody who knows the hands, without tremor, from place to place in mm.
+void stroke(KioskRig& rig, const std::vector<dvec2>& way, double seconds) {
+    const double steps = seconds / kFrameS;
+    for (double i = 0.0; i <= steps; i += 1.0) {
+        const double place = i / steps * static_cast<double>(way.size() - 1);
+        const auto from = std::min(static_cast<std::size_t>(place), way.size() - 2);
+        rig.frame(glm::mix(way[from], way[from + 1], place - static_cast<double>(from)), true);
+    }
+    for (double t = 0.0; t < 0.3; t += kFrameS)
+        rig.frame(way.back(), true);
+    for (double t = 0.0; t < 0.5; t += kFrameS)
+        rig.frame(way.back(), false);
+}
+
+TEST(Hands, ThrowADishTwentyFiveHighAndTwoHundredAndFortyWide) {
+    KioskRig rig(1000.0);
+    stroke(rig, {{0.0, rig.height_mm()}, {0.0, 10.0}, {45.0, 10.0}}, 4.0);
+    const std::vector<dvec2> outline{{104.0, 0.0}, {108.0, 9.0}, {113.0, 17.0}, {120.0, 25.0}};
+    for (int i = 0; i < 10; ++i) {
+        const double top = rig.height_mm();
+        fmt::print("{:.1f} foot {:.1f} rim {:.1f} in {:.1f} floor {:.1f}\n", top, rig.outer_mm(2.0), rig.outer_mm(top - 1.0), rig.inner_mm(top-1.0), rig.floor_mm());
+        stroke(rig, outline, 4.0);
+        const double r = rig.outer_mm(rig.height_mm() - 1.0) - 4.0;
+        if (rig.height_mm() > 27.0) stroke(rig, {{r, rig.height_mm()}, {r, 25.0}}, 2.0);
+    }
+    const Verdict verdict = judge(rig.clay(), outline);
+    fmt::print("{} {:.1f}\n", words_for(verdict), verdict.drawn_rms_mm);
 }
 
 }  // namespace

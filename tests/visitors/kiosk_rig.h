@@ -33,6 +33,7 @@ class KioskRig final : public WheelRig {
     [[nodiscard]] int steps_done() const override { return visit_.throwing.steps_done; }
     [[nodiscard]] bool shows() const override { return finger_.shows(); }
 
+    [[nodiscard]] const pot::Pot& shape() const { return shape_; }
     [[nodiscard]] const clay::StudioClay& clay() const { return *state_.studio(); }
     // Both faces of every ring, bottom first, at the last release of the pointer or the end of
     // the last demonstration.

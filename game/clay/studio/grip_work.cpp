@@ -26,7 +26,7 @@ constexpr double kStillMmS = 12.0;  // a slower finger counts as lying still
 // Fractions of the radius: so far inside the outline, a finger is on the face. Lower down it may mean the
 // foot.
 constexpr double kOnFace = 0.3;
-constexpr double kOnFoot = 0.45;
+constexpr double kOnFoot = 0.8;
 constexpr double kFootMm = 15.0;
 constexpr double kNarrowsTo = 0.7;  // fraction of the radius at landing
 
@@ -254,6 +254,9 @@ struct Carry {
     double down_mm = 16.0;
     double foot_least_mm = 28.0;  // bounds of the foot; a foot already beyond them may stay
     double foot_most_mm = 68.0;
+    double steepest = 1.4;          // bound of |dR/dy|
+    double steepest_at_foot = 0.8;  // up to a little above the floor
+    bool keeps_slopes = false;      // a slope that is steeper already may stay
 };
 
 // A bore from the rim down to bottom_mm, rounded at the bottom: every ring's inner face moves to it. outward
@@ -265,8 +268,6 @@ struct Bore {
     double largest_strain = 0.03;  // fraction of a ring's height
 };
 
-constexpr double kSteepest = 1.4;        // bound of |dR/dy|
-constexpr double kSteepestAtFoot = 0.8;  // up to a little above the floor
 constexpr double kWidestSkirt = 0.1;     // same zone, opposite sign: wider below
 constexpr double kFootZoneMm = 6.0;
 constexpr double kFairestFootMm = 0.25;  // largest step there, of a foot that follows the wall above it
@@ -352,8 +353,9 @@ Changed carry_wall(Rings& rings, GripSpace& space, const Carry& carry) noexcept 
         const double rise = std::fabs(centre - rings.centre_mm(neighbour));
         const bool at_foot = centre < foot_zone;
         // A foot may lean out more than it may spread below.
-        const double leans = (at_foot ? kSteepestAtFoot : kSteepest) * rise;
-        const double spreads = (at_foot ? kWidestSkirt : kSteepest) * rise;
+        double leans = (at_foot ? carry.steepest_at_foot : carry.steepest) * rise;
+        if (carry.keeps_slopes) leans = std::max(leans, std::fabs(outer[i] - outer[neighbour]));
+        const double spreads = (at_foot ? kWidestSkirt : carry.steepest) * rise;
         const bool is_above = i > neighbour;
         const double kept = std::clamp(wanted[i], wanted[neighbour] - (is_above ? spreads : leans),
                                        wanted[neighbour] + (is_above ? leans : spreads));
@@ -635,6 +637,13 @@ constexpr double kBehindMm = 12.0;
 constexpr double kLowestWallMm = 46.0;  // lower clay is not moved outward
 constexpr double kLowestDishMm = 18.0;  // the same, for Manner::kWide: a dish, and no flat cake
 
+constexpr double kNarrowFootMm = 68.0;  // widest foot
+// For Manner::kWide: a dish of a kilogram, 25 mm high and 240 mm wide.
+constexpr double kWideFootMm = 105.0;
+constexpr double kWideSteepest = 1.6;
+constexpr double kWideSteepestAtFoot = 1.0;
+constexpr double kFlattest = 4.0;  // a flatter way of the finger is sideways
+
 // The rim.
 constexpr double kCatchBelowMm = 3.0;
 constexpr double kLoseBelowMm = 12.0;
@@ -766,13 +775,21 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     const double down = ahead + std::max(state.heading, 0.0) * (kBehindMm - ahead);
     state.press_mm = 0.3 + std::fabs(step) * 0.1 / kGripStepS;
     hold(state, std::max(y - down, 0.0), std::min(y + up, top));
-    return carry_wall(rings, space,
-                      {.height_mm = y,
-                       .step_mm = step,
-                       .up_mm = up,
-                       .down_mm = down,
-                       .foot_least_mm = 28.0 * climate.size,
-                       .foot_most_mm = 68.0 * climate.size});
+    Carry carry{.height_mm = y,
+                .step_mm = step,
+                .up_mm = up,
+                .down_mm = down,
+                .foot_least_mm = 28.0 * climate.size,
+                .foot_most_mm = (climate.wide ? kWideFootMm : kNarrowFootMm) * climate.size};
+    if (climate.wide) {
+        // A finger that climbs outward leans the wall as far as its own way.
+        const double climbs = std::clamp(state.heading, 1.0 / kFlattest, 1.0);
+        const double leans = state.heading > 1.0 / kFlattest ? std::sqrt(1.0 - climbs * climbs) / climbs : 0.0;
+        carry.steepest = std::max(kWideSteepest, leans);
+        carry.steepest_at_foot = std::max(kWideSteepestAtFoot, leans);
+        carry.keeps_slopes = true;
+    }
+    return carry_wall(rings, space, carry);
 }
 
 // A hand that passes the rim upward pulls it along.
@@ -830,18 +847,18 @@ Changed pull_below(GripState& state, Rings& rings, GripSpace& space, double clim
 }
 
 Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
-    constexpr double kSinkMmS = 8.0;
-    constexpr double kMostShare = 0.08;
-    constexpr double kLowestOverFloorMm = 28.0;
+    const double sink_mm_s = climate.wide ? 16.0 : 8.0;
+    const double most_fraction = climate.wide ? 0.15 : 0.08;  // of the depth, a touch
+    const double lowest_over_floor_mm = climate.wide ? 10.0 : 28.0;
     const double top = rings.top_mm();
     const double depth = top - rings.floor_mm();
     hold(state, std::max(top - 0.3 * depth, 0.0), top);
     state.press_mm = 0.4;
     const double wanted = top - state.finger_mm.y;
     if (!(wanted > 1.0) || state.heading > -0.2) return {};
-    double sink = std::min(wanted, kSinkMmS * kGripStepS * climate.softness);
-    sink = std::min(sink, kMostShare * depth - state.sunk_mm);
-    sink = std::min(sink, depth - kLowestOverFloorMm);
+    double sink = std::min(wanted, sink_mm_s * kGripStepS * climate.softness);
+    sink = std::min(sink, most_fraction * depth - state.sunk_mm);
+    sink = std::min(sink, depth - lowest_over_floor_mm);
     if (!(sink > 0.0)) {
         state.guard = GripGuard::kAsLow;
         return {};
