@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "game/app/kiosk/finger/kiosk_touch.h"
 #include "tests/support/places.h"
 #include "tests/visitors/kiosk_rig.h"
 #include "tests/visitors/population.h"
@@ -18,10 +19,10 @@ namespace {
 
 constexpr int kEach = 40;
 
-// The least fraction of good pots of a kind: somewhat less than the hands of the studio reach now, so that
-// none gets worse unseen.
-constexpr std::array<double, kReservedFrom> kLeast{0.15, 0.2, 0.3,  0.5, 0.0, 0.0, 0.15,
-                                                   0.0,  0.0, 0.35, 0.5, 0.0, 0.1, 0.5};
+// The least fraction of good pots of a kind: somewhat less than the hands of the studio reach, so that none
+// gets worse unseen. The outlines that bowls and vases mean are too small for a kilogram with a wall of 10 mm.
+constexpr std::array<double, kReservedFrom> kLeast{0.95, 0.95, 0.75, 0.75, 0.0,  0.0, 0.4,
+                                                   0.95, 0.5,  0.95, 0.6,  0.75, 0.5, 0.55};
 
 // A row a kind.
 class GoodPots : public ::testing::TestWithParam<int> {
@@ -32,7 +33,7 @@ class GoodPots : public ::testing::TestWithParam<int> {
         fmt::print("{}\n", row_for(kind, all));
         for (const Left& left : all) {
             if (!left.verdict.is_good)
-                fmt::print("    {}/{}; {}\n", left.verdict.why_not, left.verdict.why_not_good, words_for(left.verdict));
+                fmt::print("    {}; {}\n", left.verdict.why_not_good, words_for(left.verdict));
         }
         EXPECT_GE(fraction_of_good_pots(all), kLeast[static_cast<std::size_t>(GetParam())]);
         write_sheet(test::in_build(fmt::format("good_{}.png", GetParam())),
@@ -52,12 +53,16 @@ std::string name_of(const ::testing::TestParamInfo<int>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Open, GoodPots, ::testing::Range(0, kReservedFrom), name_of);
 
-// The mean distance of two outlines over their common height, as root of squares.
+// The mean distance of two outlines over the height of the taller, as root of squares; above the lower one its
+// radius is 0.
 double apart_mm(const Left& one, const Left& other) {
+    const auto radius_mm = [](const Left& left, std::size_t i) {
+        return i < left.outer_mm.size() ? left.outer_mm[i].x : 0.0;
+    };
     double sum = 0.0;
-    const std::size_t count = std::min(one.outer_mm.size(), other.outer_mm.size());
+    const std::size_t count = std::max(one.outer_mm.size(), other.outer_mm.size());
     for (std::size_t i = 0; i < count; ++i) {
-        const double off = one.outer_mm[i].x - other.outer_mm[i].x;
+        const double off = radius_mm(one, i) - radius_mm(other, i);
         sum += off * off;
     }
     return std::sqrt(sum / static_cast<double>(count));
@@ -102,14 +107,55 @@ TEST(Hands, ThrowADishTwentyFiveHighAndTwoHundredAndFortyWide) {
     stroke(rig, {{0.0, rig.height_mm()}, {0.0, 10.0}, {45.0, 10.0}}, 4.0);
     const std::vector<dvec2> outline{{104.0, 0.0}, {108.0, 9.0}, {113.0, 17.0}, {120.0, 25.0}};
     for (int i = 0; i < 10; ++i) {
-        const double top = rig.height_mm();
-        fmt::print("{:.1f} foot {:.1f} rim {:.1f} in {:.1f} floor {:.1f}\n", top, rig.outer_mm(2.0), rig.outer_mm(top - 1.0), rig.inner_mm(top-1.0), rig.floor_mm());
         stroke(rig, outline, 4.0);
         const double r = rig.outer_mm(rig.height_mm() - 1.0) - 4.0;
         if (rig.height_mm() > 27.0) stroke(rig, {{r, rig.height_mm()}, {r, 25.0}}, 2.0);
     }
     const Verdict verdict = judge(rig.clay(), outline);
-    fmt::print("{} {:.1f}\n", words_for(verdict), verdict.drawn_rms_mm);
+    EXPECT_NEAR(verdict.height_mm, 25.0, 1.5) << words_for(verdict);
+    EXPECT_NEAR(2.0 * rig.outer_mm(verdict.height_mm - 1.0), 240.0, 4.0);
+    EXPECT_LT(verdict.drawn_rms_mm, 4.0);
+}
+
+// The lesson's own hands, for a visitor who only asks for the next step, as one switch does.
+TEST(Hands, LeaveAGoodPotWhereTheyDemonstrateEachStep) {
+    KioskRig rig(1000.0);
+    const auto demonstrate = [&](kiosk::ShownStep step) {
+        app::KioskTouch touch;
+        touch.begin(app::path_of_step(step, rig.shape(), 1.0));
+        for (; touch.runs(); touch.pass_time(kFrameS))
+            rig.frame(touch.place_mm(), touch.presses());
+        for (double t = 0.0; t < 0.5; t += kFrameS)
+            rig.frame(touch.place_mm(), false);
+    };
+    demonstrate(kiosk::ShownStep::kPress);
+    EXPECT_EQ(rig.steps_done(), 1);
+    demonstrate(kiosk::ShownStep::kOpen);
+    EXPECT_EQ(rig.steps_done(), 2);
+    for (int i = 0; i < 3; ++i)
+        demonstrate(kiosk::ShownStep::kRaise);
+    EXPECT_EQ(rig.steps_done(), 3);
+    const Verdict verdict = judge(rig.clay(), {});
+    EXPECT_TRUE(verdict.is_good) << verdict.why_not_good << "; " << words_for(verdict);
+}
+
+// A pull takes a part of what it finds.
+TEST(Hands, RaiseTheWallByTheFirstPullByAboutHalfOfWhatThreeDo) {
+    KioskRig rig(1000.0);
+    stroke(rig, {{0.0, rig.height_mm()}, {0.0, 10.0}, {25.0, 10.0}}, 3.0);
+    const double opened = rig.height_mm();
+    std::array<double, 3> top{};
+    for (double& mm : top) {
+        const double low = 0.25 * rig.height_mm();
+        const double rim = rig.outer_mm(rig.height_mm() - 2.0);
+        stroke(rig, {{rig.outer_mm(low), low}, {rim, rig.height_mm()}, {rim, 230.0}}, 6.0);
+        mm = rig.height_mm();
+        fmt::print("{:.0f} mm\n", mm);
+    }
+    const double part = (top[0] - opened) / (top[2] - opened);
+    EXPECT_GT(part, 0.4);
+    EXPECT_LT(part, 0.7);
+    EXPECT_LT(top[0], 180.0);
 }
 
 }  // namespace

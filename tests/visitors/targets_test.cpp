@@ -46,11 +46,11 @@ TEST(TargetFollowers, ThrowEveryPotThatTheKioskOffers) {
                                      .count = kEach,
                                      .first_seed = 41,
                                      .shown_mm = {outline.begin(), outline.end()}});
-        EXPECT_EQ(fraction_of_pots(all), 1.0) << target.id << "\n" << words_for(all);
-        // Hands cannot throw a wall that leans more than a pot may, so the wide bowl is only partly reached.
+        EXPECT_LE(median_rms_mm(all), 4.0) << target.id;
+        EXPECT_GE(fraction_within_mm(all, 8.0), 0.8) << target.id;
+        // A wide bowl leans more than a pot that is judged without an outline may.
         if (steep_fraction(outline) <= kMostSteep) {
-            EXPECT_LE(median_rms_mm(all), 4.0) << target.id;
-            EXPECT_GE(fraction_within_mm(all, 8.0), 0.8) << target.id;
+            EXPECT_EQ(fraction_of_pots(all), 1.0) << target.id << "\n" << words_for(all);
             ++followed;
         }
         RecordProperty(target.id + "_median_rms_um", static_cast<int>(1000.0 * median_rms_mm(all)));

@@ -26,7 +26,7 @@ constexpr double kStillMmS = 12.0;  // a slower finger counts as lying still
 // Fractions of the radius: so far inside the outline, a finger is on the face. Lower down it may mean the
 // foot.
 constexpr double kOnFace = 0.3;
-constexpr double kOnFoot = 0.8;
+constexpr double kOnFoot = 0.6;
 constexpr double kFootMm = 15.0;
 constexpr double kNarrowsTo = 0.7;  // fraction of the radius at landing
 
