@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kLeastMl = 60.0;
 constexpr double kLeastHeightMm = 45.0;
+constexpr double kLeastDishMm = 24.0;  // the same, of a pot that is wide
+constexpr double kWideFromMm = 160.0;
 constexpr double kThinnestMm = 2.5;
 constexpr double kSteepest = 2.0;
 constexpr double kMostSteep = 0.1;
@@ -98,13 +100,14 @@ Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn) {
         const double over = std::max(verdict.height_mm - drawn.back().y, 0.0);
         verdict.drawn_rms_mm = std::sqrt((sum + over * over) / count);
     }
+    const bool is_wide = 2.0 * outer_at(rings, verdict.height_mm - 1.0) > kWideFromMm;
     if (verdict.capacity_ml < kLeastMl)
         verdict.why_not = fmt::format("holds {:.0f} ml", verdict.capacity_ml);
-    else if (verdict.height_mm < kLeastHeightMm)
+    else if (verdict.height_mm < (is_wide ? kLeastDishMm : kLeastHeightMm))
         verdict.why_not = fmt::format("stands {:.0f} mm", verdict.height_mm);
     else if (verdict.thinnest_mm < kThinnestMm)
         verdict.why_not = fmt::format("is {:.1f} mm thin", verdict.thinnest_mm);
-    else if (verdict.steep_fraction > kMostSteep)
+    else if (verdict.steep_fraction > kMostSteep && !is_wide)
         verdict.why_not = fmt::format("leans on {:.0f} % of its height", 100.0 * verdict.steep_fraction);
     verdict.is_pot = verdict.why_not.empty();
     measure_wall(clay, verdict);

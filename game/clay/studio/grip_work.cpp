@@ -635,11 +635,13 @@ constexpr double kRestMmS = 4.0;
 constexpr double kRestMm = 4.0;
 constexpr double kBehindMm = 12.0;
 constexpr double kLowestWallMm = 46.0;  // lower clay is not moved outward
-constexpr double kLowestDishMm = 18.0;  // the same, for Manner::kWide: a dish, and no flat cake
+constexpr double kLowestDishMm = 24.0;  // the same, for a dish
 
-constexpr double kNarrowFootMm = 68.0;  // widest foot
+constexpr double kWidestFootMm = 68.0;
 // For Manner::kWide: a dish of a kilogram, 25 mm high and 240 mm wide.
-constexpr double kWideFootMm = 105.0;
+constexpr double kDishFootMm = 105.0;
+constexpr double kDishFromMm = 80.0;  // the foot widens from this height
+constexpr double kDishToMm = 50.0;    // to this
 constexpr double kWideSteepest = 1.6;
 constexpr double kWideSteepestAtFoot = 1.0;
 constexpr double kFlattest = 4.0;  // a flatter way of the finger is sideways
@@ -741,6 +743,14 @@ Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climat
     return open_bore(rings, bore_of(state, climate));
 }
 
+// 1 for a pot as wide as a dish, which may be low; 0 for others and for Manner::kNarrow.
+double dish_fraction(const Rings& rings, const GripClimate& climate) {
+    constexpr double kFromMm = 70.0;  // outer radius of the rim
+    constexpr double kToMm = 90.0;
+    if (!climate.wide) return 0.0;
+    return std::clamp((outer_face_mm(rings, rings.top_mm()) - kFromMm) / (kToMm - kFromMm), 0.0, 1.0);
+}
+
 Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
     const double top = rings.top_mm();
     const double y = std::clamp(state.hand_mm.y, 0.0, top);
@@ -760,8 +770,9 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     if (step > 0.0) {
         step *= load_fraction(climate);
         if (wanted > 0.0 && step < 0.3 * wanted) state.guard = GripGuard::kNearLimit;
-        const double lowest = climate.wide ? kLowestDishMm : kLowestWallMm;
-        const double spreads = std::clamp((top - lowest * climate.size) / 10.0, 0.0, 1.0);
+        const double lowest = kLowestWallMm + dish_fraction(rings, climate) * (kLowestDishMm - kLowestWallMm);
+        const double fade = climate.wide ? 4.0 : 10.0;
+        const double spreads = std::clamp((top - lowest * climate.size) / fade, 0.0, 1.0);
         step *= spreads;
         const bool is_widest = now > kWidestGripMm - 1.0 && state.hand_mm.x > now + 3.0;
         if (climate.wide && (is_widest || (spreads < 0.3 && error > 3.0))) state.guard = GripGuard::kAsWide;
@@ -775,16 +786,22 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     const double down = ahead + std::max(state.heading, 0.0) * (kBehindMm - ahead);
     state.press_mm = 0.3 + std::fabs(step) * 0.1 / kGripStepS;
     hold(state, std::max(y - down, 0.0), std::min(y + up, top));
+    double widest_foot_mm = kWidestFootMm;
+    double leans = 0.0;
+    if (climate.wide && top < kDishFromMm * climate.size) {
+        const double low = (kDishFromMm - top / climate.size) / (kDishFromMm - kDishToMm);
+        widest_foot_mm += std::min(low, 1.0) * (kDishFootMm - kWidestFootMm);
+        // A finger that climbs outward leans the wall as far as its own way.
+        const double climbs = std::min(state.heading, 1.0);
+        if (climbs > 1.0 / kFlattest) leans = std::sqrt(1.0 - climbs * climbs) / climbs;
+    }
     Carry carry{.height_mm = y,
                 .step_mm = step,
                 .up_mm = up,
                 .down_mm = down,
                 .foot_least_mm = 28.0 * climate.size,
-                .foot_most_mm = (climate.wide ? kWideFootMm : kNarrowFootMm) * climate.size};
+                .foot_most_mm = widest_foot_mm * climate.size};
     if (climate.wide) {
-        // A finger that climbs outward leans the wall as far as its own way.
-        const double climbs = std::clamp(state.heading, 1.0 / kFlattest, 1.0);
-        const double leans = state.heading > 1.0 / kFlattest ? std::sqrt(1.0 - climbs * climbs) / climbs : 0.0;
         carry.steepest = std::max(kWideSteepest, leans);
         carry.steepest_at_foot = std::max(kWideSteepestAtFoot, leans);
         carry.keeps_slopes = true;
@@ -847,10 +864,10 @@ Changed pull_below(GripState& state, Rings& rings, GripSpace& space, double clim
 }
 
 Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
-    const double sink_mm_s = climate.wide ? 16.0 : 8.0;
-    const double most_fraction = climate.wide ? 0.15 : 0.08;  // of the depth, a touch
-    const double lowest_over_floor_mm = climate.wide ? 10.0 : 28.0;
+    const double sink_mm_s = climate.wide ? 12.0 : 8.0;
+    const double most_fraction = climate.wide ? 0.1 : 0.08;  // of the depth, a touch
     const double top = rings.top_mm();
+    const double lowest_over_floor_mm = 28.0 + dish_fraction(rings, climate) * (kLowestDishMm - kFloorMm - 28.0);
     const double depth = top - rings.floor_mm();
     hold(state, std::max(top - 0.3 * depth, 0.0), top);
     state.press_mm = 0.4;
