@@ -52,7 +52,7 @@ class Composer final : private jobs::IoWork {
     void stop() noexcept { thread_.stop(); }
 
     // Wait-free.
-    void ask(std::shared_ptr<const View> view) noexcept { requests_.put(view); }
+    void ask(std::shared_ptr<const View> view);
     // Pauses the turning while a finger is on a pot.
     void hold(bool held) noexcept { held_.store(held, std::memory_order_relaxed); }
     // The current pictures of latest()'s pots; null if none turns.
