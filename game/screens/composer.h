@@ -51,7 +51,7 @@ class Composer final : private jobs::IoWork {
     Result<void> start();
     void stop() noexcept { thread_.stop(); }
 
-    // Wait-free.
+    // Wakes the composer.
     void ask(std::shared_ptr<const View> view);
     // Pauses the turning while a finger is on a pot.
     void hold(bool held) noexcept { held_.store(held, std::memory_order_relaxed); }
