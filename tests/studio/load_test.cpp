@@ -215,7 +215,9 @@ std::vector<float> swept(const Rings& rings, const LoadSweep& sweep) {
 }
 
 TEST(Load, IsTheSameToTheBitWhetherRingsAreWeighedOneByOneOrTogether) {
-    for (const auto& [speed, twist] : {std::pair{0.0, 0.0}, {12.0, 300.0}, {45.0, 0.0}, {20.0, 60000.0}}) {
+    for (const auto& turned : {std::pair{0.0, 0.0}, {12.0, 300.0}, {45.0, 0.0}, {20.0, 60000.0}}) {
+        const double speed = turned.first;
+        const double twist = turned.second;
         const auto after_rounds = [&](int rings_a_call) {
             Rings rings = uneven_rings();
             LoadSweep sweep;
