@@ -743,12 +743,14 @@ Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climat
     return open_bore(rings, bore_of(state, climate));
 }
 
-// 1 for a pot as wide as a dish, which may be low; 0 for others and for Manner::kNarrow.
-double dish_fraction(const Rings& rings, const GripClimate& climate) {
-    constexpr double kFromMm = 70.0;  // outer radius of the rim
-    constexpr double kToMm = 90.0;
+// 1 where the rim is as wide as that of a dish, or the finger leads there; 0 for narrow pots and for
+// Manner::kNarrow.
+double dish_fraction(const GripState& state, const Rings& rings, const GripClimate& climate) {
+    constexpr double kFromMm = 65.0;
+    constexpr double kToMm = 85.0;
     if (!climate.wide) return 0.0;
-    return std::clamp((outer_face_mm(rings, rings.top_mm()) - kFromMm) / (kToMm - kFromMm), 0.0, 1.0);
+    const double widest = std::max(outer_face_mm(rings, rings.top_mm()), state.finger_mm.x);
+    return std::clamp((widest - kFromMm) / (kToMm - kFromMm), 0.0, 1.0);
 }
 
 Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
@@ -770,7 +772,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     if (step > 0.0) {
         step *= load_fraction(climate);
         if (wanted > 0.0 && step < 0.3 * wanted) state.guard = GripGuard::kNearLimit;
-        const double lowest = kLowestWallMm + dish_fraction(rings, climate) * (kLowestDishMm - kLowestWallMm);
+        const double lowest = kLowestWallMm + dish_fraction(state, rings, climate) * (kLowestDishMm - kLowestWallMm);
         const double fade = climate.wide ? 4.0 : 10.0;
         const double spreads = std::clamp((top - lowest * climate.size) / fade, 0.0, 1.0);
         step *= spreads;
@@ -867,7 +869,7 @@ Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double sink_mm_s = climate.wide ? 12.0 : 8.0;
     const double most_fraction = climate.wide ? 0.1 : 0.08;  // of the depth, a touch
     const double top = rings.top_mm();
-    const double lowest_over_floor_mm = 28.0 + dish_fraction(rings, climate) * (kLowestDishMm - kFloorMm - 28.0);
+    const double lowest_over_floor_mm = 28.0 + dish_fraction(state, rings, climate) * (kLowestDishMm - kFloorMm - 28.0);
     const double depth = top - rings.floor_mm();
     hold(state, std::max(top - 0.3 * depth, 0.0), top);
     state.press_mm = 0.4;
