@@ -114,8 +114,8 @@ MUTATIONS = [
     (11, "the softer clay of a late loop", off("late"), PROPERTIES),
     (11, "the bound of a tick's time", ("engine/jobs/pacer.h", "std::min(kMostPeriods, 1.0",
                                         "std::min(1e9 * kMostPeriods, 1.0"), "unit_jobs"),
-    (11, "the skip of missed ticks", ("engine/jobs/pacer.h", "std::max(index, index_at(start_ns))",
-                                      "std::min(index, index_at(start_ns))"), "unit_jobs"),
+    (11, "the skip of missed ticks", ("engine/jobs/pacer.h", "std::max(last, index_at(start_ns))",
+                                      "std::min(last, index_at(start_ns))"), "unit_jobs"),
     (12, "the tick that waits for no device", SHARED_LOCK, "stress_loop"),
     (12, "the next device where one fails", (f"{HID}/hid_session.cpp", "is_worse) told = std::move(status);",
                                              "is_worse) told = std::move(status);\n"

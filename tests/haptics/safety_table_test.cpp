@@ -73,7 +73,7 @@ constexpr Proof kProvedElsewhere[] = {
     {14, "stop key while the picture hangs", "unit/haptics/stop_key_test.cpp",
      "WorksWhileEveryOtherThreadHangs"},
     {15, "every tick recorded, replayed to the bit", "unit/haptic/job_test.cpp",
-     "KeepsARecordOfEveryTickThatReplaysToTheSameHashes"},
+     "KeepsARecordOfEveryTickThatReplaysToTheSameState"},
 };
 
 TEST(SafetyProperties, AreFifteenAndEachIsProvedWhereTheTableSays) {

@@ -268,7 +268,7 @@ struct Bore {
     double largest_strain = 0.03;  // fraction of a ring's height
 };
 
-constexpr double kWidestSkirt = 0.1;     // same zone, opposite sign: wider below
+constexpr double kWidestSkirt = 0.1;  // same zone, opposite sign: wider below
 constexpr double kFootZoneMm = 6.0;
 constexpr double kFairestFootMm = 0.25;  // largest step there, of a foot that follows the wall above it
 constexpr double kFairestStepMm = 0.1;   // largest step of a slope correction while the hands do not move
@@ -468,16 +468,6 @@ double pull_up(Rings& rings, GripSpace& space, double rise, double largest_strai
     }
     rings.place(first, n);
     return risen;
-}
-
-// The rise of the rim that would leave every wall at its thinnest.
-double spare_rise(const Rings& rings) noexcept {
-    double rise = 0.0;
-    for (int i = rings.first_hollow; i < rings.count; ++i) {
-        const double thinnest = thinnest_mm(rings, rings.centre_mm(i));
-        rise += rings.height_mm[at(i)] * std::max(rings.wall_mm(i) / thinnest - 1.0, 0.0);
-    }
-    return rise;
 }
 
 // Presses the rim down by `sink`; the wall below it thickens to both sides.
@@ -772,7 +762,8 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     if (step > 0.0) {
         step *= load_fraction(climate);
         if (wanted > 0.0 && step < 0.3 * wanted) state.guard = GripGuard::kNearLimit;
-        const double lowest = kLowestWallMm + dish_fraction(state, rings, climate) * (kLowestDishMm - kLowestWallMm);
+        const double lowest =
+            kLowestWallMm + dish_fraction(state, rings, climate) * (kLowestDishMm - kLowestWallMm);
         const double fade = climate.wide ? 4.0 : 10.0;
         const double spreads = std::clamp((top - lowest * climate.size) / fade, 0.0, 1.0);
         step *= spreads;
@@ -869,7 +860,8 @@ Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double sink_mm_s = climate.wide ? 12.0 : 8.0;
     const double most_fraction = climate.wide ? 0.1 : 0.08;  // of the depth, a touch
     const double top = rings.top_mm();
-    const double lowest_over_floor_mm = 28.0 + dish_fraction(state, rings, climate) * (kLowestDishMm - kFloorMm - 28.0);
+    const double lowest_over_floor_mm =
+        28.0 + dish_fraction(state, rings, climate) * (kLowestDishMm - kFloorMm - 28.0);
     const double depth = top - rings.floor_mm();
     hold(state, std::max(top - 0.3 * depth, 0.0), top);
     state.press_mm = 0.4;
@@ -969,21 +961,6 @@ GripSpace::GripSpace(int capacity)
     : wanted_mm(at(capacity), 0.0),
       second_mm(at(capacity), 0.0),
       weight(at(capacity), 0.0) {}
-
-double bearable_twist(const Rings& rings, double y) {
-    double least = 1e9;
-    const int end = rings.ring_at(std::clamp(y, 0.0, rings.top_mm())) + 1;
-    for (int i = 0; i < end; ++i) {
-        const std::size_t k = Rings::at(i);
-        const double middle = 0.5 * (rings.outer_mm[k] + rings.inner_mm[k]);
-        const double wall = rings.outer_mm[k] - rings.inner_mm[k];
-        const double bears = static_cast<double>(rings.strength_kpa[k]) * middle * middle * wall;
-        least = bears < least ? bears : least;
-    }
-    // su times 2 pi r^2 t; the torque for the same von Mises stress is a factor sqrt(3) less.
-    constexpr double kHalf = 0.5;
-    return kHalf * least * kTurn / (std::sqrt(3.0) * kKpaPerNMm2);
-}
 
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,
                   const GripClimate& climate, double dt_s) noexcept {

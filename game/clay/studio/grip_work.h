@@ -90,10 +90,6 @@ struct GripClimate {
     bool wide = true;         // Manner::kWide
 };
 
-// Half the torque that breaks the weakest ring from the wheel up to that height, N mm: a steady potter
-// applies no more friction.
-double bearable_twist(const Rings& rings, double y_mm);
-
 // Advances by dt_s a finger that presses at (x, y). Returns the rings that changed; their places are up to
 // date.
 Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger_mm,

@@ -348,4 +348,19 @@ void after_join(LoadSweep& sweep, int lower) noexcept {
     if (sweep.tear_at > lower) --sweep.tear_at;
 }
 
+double bearable_twist(const Rings& rings, double y) {
+    double least = 1e9;
+    const int end = rings.ring_at(std::clamp(y, 0.0, rings.top_mm())) + 1;
+    for (int i = 0; i < end; ++i) {
+        const std::size_t k = Rings::at(i);
+        const double middle = 0.5 * (rings.outer_mm[k] + rings.inner_mm[k]);
+        const double wall = rings.outer_mm[k] - rings.inner_mm[k];
+        const double bears = static_cast<double>(rings.strength_kpa[k]) * middle * middle * wall;
+        least = bears < least ? bears : least;
+    }
+    // su times 2 pi r^2 t; the torque for the same von Mises stress is a factor sqrt(3) less.
+    constexpr double kHalf = 0.5;
+    return kHalf * least * kTurn / (std::sqrt(3.0) * kKpaPerNMm2);
+}
+
 }  // namespace onggi::clay::studio

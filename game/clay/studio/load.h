@@ -118,4 +118,8 @@ void after_join(LoadSweep& sweep, int lower_ring) noexcept;
 // Starts a new round, for a stack that has changed.
 void restart(LoadSweep& sweep, const Rings& rings) noexcept;
 
+// Half the torque that breaks the weakest ring from the wheel up to that height, N mm: a steady potter
+// applies no more friction.
+double bearable_twist(const Rings& rings, double y_mm);
+
 }  // namespace onggi::clay::studio

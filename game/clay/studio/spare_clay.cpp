@@ -115,6 +115,15 @@ double thinnest_mm(const Rings& rings, double y) noexcept {
     return kThinnestAtFloorMm + s * (kThinnestAtRimMm - kThinnestAtFloorMm);
 }
 
+double spare_rise(const Rings& rings) noexcept {
+    double rise = 0.0;
+    for (int i = rings.first_hollow; i < rings.count; ++i) {
+        const double thinnest = thinnest_mm(rings, rings.centre_mm(i));
+        rise += rings.height_mm[at(i)] * std::max(rings.wall_mm(i) / thinnest - 1.0, 0.0);
+    }
+    return rise;
+}
+
 double narrowest_bore(double wall) noexcept {
     constexpr double kThinEnoughMm = 10.0;
     constexpr double kPerMm = 0.8;

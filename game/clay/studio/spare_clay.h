@@ -17,6 +17,9 @@ constexpr double kWidestGripMm = 135.0;  // largest outer radius to which hands 
 // Minimum thickness of a drawn wall at that height.
 double thinnest_mm(const Rings& rings, double y_mm) noexcept;
 
+// The rise of the rim that would leave every wall at its thinnest.
+double spare_rise(const Rings& rings) noexcept;
+
 // Minimum bore for that wall. A thick wall keeps a wider bore, which fingers can find again.
 double narrowest_bore(double wall_mm) noexcept;
 
