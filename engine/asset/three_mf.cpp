@@ -35,31 +35,6 @@ class Handle {
     T* held_ = nullptr;
 };
 
-// Escapes the text of an element, which the library does not; it escapes attribute values itself.
-std::string xml_text(std::string_view words) {
-    std::string text;
-    for (const char c : valid_utf8(words)) {
-        switch (c) {
-            case '&':
-                text += "&amp;";
-                break;
-            case '<':
-                text += "&lt;";
-                break;
-            case '>':
-                text += "&gt;";
-                break;
-            case '"':
-                text += "&quot;";
-                break;
-            default:
-                // XML 1.0 cannot express the other control characters.
-                text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-        }
-    }
-    return text;
-}
-
 struct Welded {
     std::vector<NMR::MODELMESHVERTEX> vertices;
     std::vector<NMR::MODELMESHTRIANGLE> triangles;
@@ -128,6 +103,40 @@ BOOL seek_to(UINT64 place, void* user) {
     return 0;
 }
 
+template <typename Number>
+std::optional<Number> number_at(const std::vector<std::byte>& bytes, std::uint64_t at) {
+    if (at > bytes.size() || bytes.size() - at < sizeof(Number)) return std::nullopt;
+    Number number{};
+    std::memcpy(&number, bytes.data() + at, sizeof number);
+    return number;
+}
+
+// lib3mf dates its entries in month zero, which readers refuse that make a date of it. Sets the first day
+// that ZIP can name, in the directory (APPNOTE 6.3.9, 4.3.12; lib3mf writes ZIP64) and before each entry's
+// data.
+bool date_entries(std::vector<std::byte>& zip) {
+    constexpr std::uint16_t kFirstOfJanuary = (1U << 5U) | 1U;  // the year counts from 1980
+    constexpr std::uint32_t kEntry = 0x02014b50;
+    constexpr std::uint32_t kHead = 0x04034b50;
+    constexpr std::size_t kEntryBytes = 46;
+    constexpr std::size_t kEndsBytes = 20 + 22;  // the locator of the ZIP64 end record, and the older record
+    if (zip.size() < kEndsBytes) return false;
+    const auto end = number_at<std::uint64_t>(zip, zip.size() - kEndsBytes + 8).value_or(zip.size());
+    const std::uint64_t count = number_at<std::uint64_t>(zip, end + 32).value_or(0);
+    std::uint64_t at = number_at<std::uint64_t>(zip, end + 48).value_or(zip.size());
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const std::uint64_t name = number_at<std::uint16_t>(zip, at + 28).value_or(0);
+        const std::uint64_t extra = number_at<std::uint16_t>(zip, at + 30).value_or(0);
+        const auto head = number_at<std::uint64_t>(zip, at + kEntryBytes + name + 20).value_or(zip.size());
+        if (number_at<std::uint32_t>(zip, at) != kEntry || number_at<std::uint32_t>(zip, head) != kHead)
+            return false;
+        std::memcpy(zip.data() + at + 14, &kFirstOfJanuary, sizeof kFirstOfJanuary);
+        std::memcpy(zip.data() + head + 12, &kFirstOfJanuary, sizeof kFirstOfJanuary);
+        at += kEntryBytes + name + extra;
+    }
+    return count > 0;
+}
+
 // Keeps the first failure of a sequence of library calls.
 class Calls {
   public:
@@ -168,7 +177,10 @@ Result<std::vector<std::byte>> encode_3mf(const Mesh& mesh, const ThreeMfWords& 
     calls(NMR::lib3mf_model_setbuilduuidutf8(model.get(), kBuildId), "its name");
     for (const auto& [key, value] : {std::pair("Title", &words.title),
                                      {"Description", &words.description},
-                                     {"Application", &words.application}}) {
+                                     {"Application", &words.application},
+                                     {"Copyright", &words.copyright},
+                                     {"LicenseTerms", &words.licence_terms},
+                                     {"CreationDate", &words.creation_date}}) {
         if (!value->empty())
             calls(NMR::lib3mf_model_addmetadatautf8(model.get(), key, xml_text(*value).c_str()), key);
     }
@@ -203,6 +215,7 @@ Result<std::vector<std::byte>> encode_3mf(const Mesh& mesh, const ThreeMfWords& 
                                              reinterpret_cast<void*>(&seek_to), &sink),
           "writing");
     if (!calls.are_good()) return calls.trouble();
+    if (!date_entries(sink.bytes)) return failed("3MF: expected a ZIP file in lib3mf's form");
     return std::move(sink.bytes);
 }
 

@@ -52,6 +52,38 @@ TEST(KioskShare, HandsThePotOverAsThePageWantsIt) {
     EXPECT_FALSE(pot.model_glb.is_given()) << "files are the caller's";
 }
 
+TEST(KioskShare, TellsThePotsStoryInEachLanguageTheHousesFirst) {
+    auto settings = load_settings("");
+    ASSERT_TRUE(settings) << settings.error().message;
+    settings->config.sharing.licence = {{"", "CC BY 4.0"}};
+    settings->config.sharing.publisher = {{"ko", "흙의 집"}, {"en", "House of Clay"}};
+    screens::FiredPot fired = jar(*settings);
+    fired.drawn_with.pigment[3] = 9;
+    fired.drawn_with.pigment[4] = 9;
+    const exporter::PotStory story = pot_story(fired, 0, *settings);
+    const asset::About& about = story.about;
+    ASSERT_EQ(about.title.size(), 3U);
+    EXPECT_EQ(about.title[0], (asset::Wording{"en", "Pot, celadon"}));
+    EXPECT_EQ(about.title[1], (asset::Wording{"ko", "그릇, 청자"}));
+    EXPECT_NE(about.description[0].text.find("160 mm high. Closest to: "), std::string::npos)
+        << about.description[0].text;
+    EXPECT_EQ(about.description[0].text.find('\n'), std::string::npos);
+    EXPECT_EQ(about.rights, (asset::Wordings{{"en", "CC BY 4.0"}}));
+    EXPECT_EQ(about.publisher, (asset::Wordings{{"en", "House of Clay"}, {"ko", "흙의 집"}}));
+    EXPECT_TRUE(about.relation.starts_with(fired.relative->record + " (")) << about.relation;
+    std::vector<std::string> names;
+    for (const asset::Extra& extra : story.extras)
+        names.push_back(extra.first);
+    EXPECT_EQ(names, (std::vector<std::string>{"title", "made", "glaze", "decoration", "nearest_pot",
+                                               "nearest_pot_source", "licence", "publisher"}))
+        << "and no word of the visitor";
+    EXPECT_EQ(std::get<std::string>(story.extras[3].second), "iron, cobalt");
+
+    fired.is_after_relative = true;
+    EXPECT_EQ(pot_story(fired, 1, *settings).about.title[0].text,
+              (*settings->languages)[1].shown(fired.relative->name_key) + ", white porcelain");
+}
+
 TEST(KioskShare, DrawsAPosterThatStandsWhereThePageDrawsThePot) {
     const auto settings = load_settings("");
     ASSERT_TRUE(settings);
