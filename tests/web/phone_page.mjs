@@ -1,8 +1,8 @@
 // node phone_page.mjs ONGGI MAKE_OUTBOX SESSION FOLDER: opens a shared pot's page as phones and tablets do, in every
 // language, by the kiosk's server and by a plain web server, and looks at what arrived. Writes screenshots.
-import { mkdir, readFile, rm } from 'node:fs/promises';
+import { mkdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { expect, launch, PATIENCE, SLOWNESS, watch } from './browser.mjs';
-import { difference, makePictures } from './phone_pictures.mjs';
+import { difference, makePictures, silhouette } from './phone_pictures.mjs';
 import { makeOutbox, serveByOnggi, serveByPython } from './phone_programs.mjs';
 import { tooFaint, tooSmall, unnamed } from './phone_rules.mjs';
 
@@ -152,6 +152,50 @@ CHECKS['less motion, and saved data'] = async ({ browser, own, code }) => {
     expect(!asked.includes('surface.webp'), 'expected no texture to be fetched');
     await context.close();
     return 'at rest; poster only';
+};
+
+/** The stage of 480 pixels as poster or as drawn, on a ground of one colour, with the board where the poster has it. */
+async function shownAlone(page, which) {
+    await page.addStyleTag({ content: `.stage { width: 359px !important; height: 359px !important; min-height: 0 !important;
+        max-height: none !important; margin: 0 !important; background: #00f !important; }
+        .stage::before, .stage::after, .stage button { display: none !important; }
+        .stage > ${which === 'canvas' ? 'img' : 'canvas'} { visibility: hidden !important; }
+        .stage > ${which} { visibility: visible !important; }` });
+    await page.waitForTimeout(300 * SLOWNESS);
+    return page.locator('#stage').screenshot();
+}
+
+/** Edges of the pot differ by at most a pixel; its upper and lower edge are flat. */
+function mostApart(one, other) {
+    const FLAT = 4;
+    let most = 0;
+    for (let y = FLAT; y + FLAT < one.length; y += 1) {
+        if (![one, other].every((rows) => rows[y - FLAT] && rows[y] && rows[y + FLAT])) continue;
+        most = Math.max(most, Math.abs(one[y][0] - other[y][0]), Math.abs(one[y][1] - other[y][1]));
+    }
+    return most;
+}
+
+CHECKS['a pot that is not round'] = async ({ browser, own }) => {
+    const found = [];
+    for (const sample of ['studio_dented', 'studio_cylinder']) {
+        const code = await makeOutbox(makeProgram, sample, folder, ['--glaze', 'porcelain']);
+        const look = { viewport: { width: 500, height: 900 }, deviceScaleFactor: 480 / 359, reducedMotion: 'reduce' };
+        const silhouettes = [];
+        for (const which of ['img', 'canvas']) {
+            const { context, page } = await opened(browser, own.origin, `/${code}/`, look);
+            const png = await shownAlone(page, which);
+            await writeFile(`${folder}/${sample}-${which}.png`, png);
+            silhouettes.push(await silhouette(browser, png));
+            await context.close();
+        }
+        const apart = mostApart(...silhouettes);
+        expect(apart <= 1, `${sample}: expected page and poster within a pixel, found ${apart}`);
+        found.push(silhouettes[1]);
+    }
+    const [dented, round] = found.map((rows) => rows.filter(Boolean).map(([left, right]) => right - left));
+    expect(Math.max(...round) - round[round.length >> 1] <= 2, 'expected a cylinder to be round');
+    return `page and poster within a pixel, ${dented.length} and ${round.length} rows`;
 };
 
 CHECKS['a code that is none'] = async ({ browser, own, code }) => {

@@ -31,14 +31,14 @@ struct Exhibit {
     std::string name_key;    // "pot.moon"
     std::string museum_key;  // "mus.nmk"
     std::string date_key;
-    std::string record{};  // "Moon jar, Joseon, 18th c., British Museum (1333756)", as the tables name it
-    std::string source{};  // of its dimensions
     double height_mm = 0.0;
     double diameter_mm = 0.0;  // 0: not published
     std::string part;  // "1/3": the scale at which it is thrown if there is too little clay; empty: full size
     int glaze = 0;
     pot::Section shape;
     std::shared_ptr<const ExhibitCard> card{};  // may be null
+    std::string record{};  // "Moon jar, Joseon, 18th c., British Museum (1333756)", as the tables name it
+    std::string source{};  // of its dimensions
 };
 
 // The visitor's pot, as fired.
