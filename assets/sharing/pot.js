@@ -5,7 +5,7 @@
 
 const SEGMENTS = 128;
 const TURN_MS = 9000;
-const CAMERA = { far: 30, up: 0.16 };  // so many times the pot's size away; radians above its middle
+const CAMERA = { far: 300, up: 0.16 };  // so many times the pot's size away; radians above its middle
 
 const VERTEX = `#version 300 es
 in vec3 place; in vec3 normal; in vec3 skin;  // skin: around, down the wall, 1 inside
@@ -77,11 +77,11 @@ function ringsOf(outside, inside) {
   outside.forEach(([radius, height], i) => rings.push([radius, height, 1 - along[i] / length, 0]));
   const top = outside[outside.length - 1];
   const down = inside.length > 1 ? inside : [[Math.max(0.01, top[0] - 5), top[1]], [0.01, top[1]]];
-  // The lip, round between the walls.
+  // The lip between the walls, as high as the solid's.
   const lip = (top[0] - down[0][0]) / 2;
   for (let k = 1; lip > 0 && k < 6; k += 1) {
     const angle = (k / 6) * Math.PI;
-    rings.push([top[0] - lip + lip * Math.cos(angle), top[1] + (down[0][1] - top[1]) * (k / 6) + lip * 0.7 * Math.sin(angle), 0, 0]);
+    rings.push([top[0] - lip + lip * Math.cos(angle), top[1] + (down[0][1] - top[1]) * (k / 6), 0, 0]);
   }
   down.forEach(([radius, height]) => rings.push([Math.max(radius, 0.01), height, 0, 1]));
   const last = down[down.length - 1];
@@ -91,6 +91,17 @@ function ringsOf(outside, inside) {
 
 /** Of a pot that is not round: rows from foot to rim, each its centre and its dents, in mm. A round one has none. */
 const rowsOf = (text) => (text ? text.split(' ').map((row) => row.split(',').map((number) => number / 20)) : []);
+
+/** The line with points between its own, so that it has one in each row of a pot that is not round. */
+function inRows(line, rows) {
+  if (rows.length === 0) return line;
+  const step = Math.max(...line.map((point) => point[1])) / (rows.length - 1);
+  return line.flatMap((to, i) => {
+    const from = line[Math.max(0, i - 1)];
+    const pieces = Math.max(1, Math.ceil(Math.abs(to[1] - from[1]) / step));
+    return Array.from({ length: pieces }, (_, k) => to.map((x, axis) => from[axis] + ((x - from[axis]) * (k + 1)) / pieces));
+  });
+}
 
 /** Gives the place of a ring's corner: [across, height, to the eye]. */
 function placeOf(rows, top) {
@@ -179,9 +190,10 @@ function painterOf(canvas, stage, picture) {
   const gl = canvas.getContext('webgl2', { alpha: true, antialias: true });
   const program = gl && programOf(gl);
   if (!program) return null;
-  const outside = points(stage.dataset.outside);
+  const rows = rowsOf(stage.dataset.rows);
+  const [outside, inside] = [stage.dataset.outside, stage.dataset.inside].map((line) => inRows(points(line), rows));
   const top = outside[outside.length - 1];
-  const mesh = meshOf(ringsOf(outside, points(stage.dataset.inside)), placeOf(rowsOf(stage.dataset.rows), top[1]));
+  const mesh = meshOf(ringsOf(outside, inside), placeOf(rows, top[1]));
   const radius = Number(stage.dataset.reach) || Math.max(...outside.map((point) => point[0]));
   gl.useProgram(program);
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());

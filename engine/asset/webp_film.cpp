@@ -72,6 +72,7 @@ struct WebpFilm::Encoder {
     WebPConfig config{};
     WebPAnimEncoder* film = nullptr;
     int shown_ms = 0;  // duration of all pictures so far
+    int pictures = 0;
 
     Encoder() = default;
     Encoder(const Encoder&) = delete;
@@ -126,6 +127,7 @@ Result<void> WebpFilm::add(const Image& image, int shown_ms) {
     if (WebPAnimEncoderAdd(encoder.film, picture.get(), encoder.shown_ms, &encoder.config) == 0)
         return encoder.trouble("a picture could not be added");
     encoder.shown_ms += shown_ms;
+    ++encoder.pictures;
     return {};
 }
 
@@ -138,7 +140,7 @@ Result<std::vector<std::byte>> WebpFilm::finish() {
     WebPDataInit(&data);
     if (WebPAnimEncoderAssemble(encoder.film, &data) == 0)
         return encoder.trouble("the film could not be put together");
-    if (!make_last(data, encoder.shown_ms)) {
+    if (encoder.pictures > 1 && !make_last(data, encoder.shown_ms)) {
         WebPDataClear(&data);
         return failed("WebP: no memory for a film");
     }
