@@ -218,6 +218,7 @@ function painterOf(canvas, stage, picture) {
   gl.uniform1f(uniform('gloss'), Number(stage.dataset.gloss));
   gl.uniform2f(uniform('rim'), top[0], top[1]);
   gl.enable(gl.DEPTH_TEST);
+  gl.enable(gl.CULL_FACE);  // the pot is closed
   return (angle) => {
     const dense = Math.min(2, devicePixelRatio || 1);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((px) => Math.round(px * dense));
