@@ -15,7 +15,9 @@ namespace onggi::screens {
 
 class TurningPot {
   public:
-    static constexpr int kBentViews = 90;  // a whole turn
+    // A whole turn: a view takes 0.1 to 0.2 s of a core, so that more would cost more than the colours of a
+    // round pot.
+    static constexpr int kBentViews = 8;
 
     // Takes about as long as paint_pot(), which paints one view.
     TurningPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
