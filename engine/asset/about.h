@@ -32,7 +32,7 @@ struct About {
 
     [[nodiscard]] bool is_empty() const { return title.empty(); }
     [[nodiscard]] bool has_rights() const { return !rights.empty() || !publisher.empty(); }
-    // "Museum of Clay. CC BY 4.0", in the default language.
+    // "House of Glass. CC BY 4.0", in the default language.
     [[nodiscard]] std::string copyright() const;
 
     friend bool operator==(const About&, const About&) = default;
