@@ -102,10 +102,13 @@ HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
         turn_by(sample, held, seen_[holder_].is_here);
     }
     bool lives = false;
+    is_alone_ = true;
     std::uint32_t restless = 0;
     std::uint32_t bit = 1;  // the first device has no bit set: the window watches it
     for (std::size_t device = 1; device < devices_.size(); ++device) {
         bit <<= 1U;
+        // Also a device that reports no valid position may have motors.
+        is_alone_ = is_alone_ && !devices_[device]->is_here();
         if (!seen_[device].is_here) continue;
         lives = lives || devices_[device]->lives();
         restless |= devices_[device]->never_rests() ? bit : 0U;
@@ -162,6 +165,7 @@ DeviceSigns DeviceGroup::signs() const noexcept {
     signs.position_is_new = signs.position_is_new && seen_[holder_].is_here;
     signs.hand_is_there = signs.hand_is_there && seen_[holder_].is_here;
     signs.device = holder_;
+    signs.is_alone = is_alone_;
     signs.force_fraction *= motors_[holder_].given_fraction;
     return signs;
 }

@@ -99,8 +99,8 @@ class DeviceGroup final : public HapticDevice {
 
     // The holder's position of the tool and its speed of the work; the button of any device turns the work.
     [[nodiscard]] HandSample read(std::uint64_t tick, double dt_s) noexcept override;
-    // The holder's signs; while it is absent, hand_is_there and position_is_new are false. The force fraction
-    // includes the reduction by write().
+    // The holder's signs, and whether the first device is alone; while the holder is absent, hand_is_there
+    // and position_is_new are false. The force fraction includes the reduction by write().
     [[nodiscard]] DeviceSigns signs() const noexcept override;
     void silence() noexcept override;
     // Sends the force to the tool's holder through its own kMotorStages (safety_chain.h): from zero after a
@@ -138,6 +138,7 @@ class DeviceGroup final : public HapticDevice {
     std::size_t holder_ = 0;
     HandSample last_;             // the last returned sample
     bool knows_a_place_ = false;  // read() was called before
+    bool is_alone_ = true;        // no device but the first is plugged in
     bool approaches_ = false;     // on the way to the new holder's position
     double dt_s_ = 0.0;
     // The limits of each device's motors, and their heat.

@@ -40,6 +40,7 @@ struct DeviceSigns {
     bool hand_is_there = true;    // as far as the device can tell
     bool shows_wall = false;      // the device plugged in now renders a spring of its own along the radius
     std::size_t device = 0;       // index of the tool's holder in capabilities_of_devices()
+    bool is_alone = true;         // no device other than the first is plugged in
     // The fraction of the last written force that reached the motors, 0 to 1. A device may have its own ramps
     // and limits, and the passivity observer needs the work of the applied force.
     double force_fraction = 1.0;

@@ -4,6 +4,9 @@
 // It watches the picture too. While the screen hangs, no key or button works; after two seconds the hand
 // counts as absent, and later the force returns through the ramp.
 //
+// While no device is plugged in that could push, the loop ticks in bursts (rest()), and the thread checks
+// every 4 ms.
+//
 // The timeout is 5 ms (SAFETY.md). The thread checks every ms, on the other cores, with real-time priority if
 // granted; without it the kernel may delay it by some ms. A USB device receives it with its next packet: HID
 // reports go out every 4 ms, so 5 + 1 + 4 ms.
@@ -32,6 +35,10 @@ class Watchdog final : public jobs::IoWork {
 
     // Haptic thread, once a tick. Wait-free.
     void beat() noexcept { count_up(beats_); }
+    // Haptic thread: whether the loop ticks in bursts of kRestNs, which it may do only while there are no
+    // motors.
+    void rest(bool rests) noexcept { rests_.store(rests, std::memory_order_relaxed); }
+    static constexpr std::int64_t kRestNs = 4'000'000;
     // Haptic thread: the number of times that the loop was found hanging and the device was silenced.
     [[nodiscard]] std::uint32_t silences() const noexcept {
         return silences_.load(std::memory_order_acquire);
@@ -69,6 +76,7 @@ class Watchdog final : public jobs::IoWork {
     std::atomic<std::uint64_t> pictures_{0};
     std::atomic<std::uint32_t> silences_{0};
     std::atomic<bool> picture_stands_still_{false};
+    std::atomic<bool> rests_{false};
     // The watchdog's thread only.
     Watched loop_;
     Watched picture_;

@@ -22,6 +22,8 @@ class PeriodicWork {
     [[nodiscard]] virtual bool tick(const Period& period) noexcept = 0;
     // Likewise, after each tick: whether the next tick needs a spin wait, which costs part of a core.
     [[nodiscard]] virtual bool needs_punctuality() const noexcept { return true; }
+    // Likewise: how many ticks may wait for each other and then run one after the other. At least one.
+    [[nodiscard]] virtual std::uint64_t ticks_at_once() const noexcept { return 1; }
 };
 
 // The loop itself, on any clock. Ends when tick() returns false or `stop` is set; at most one period later.
@@ -32,6 +34,7 @@ void run_fixed_rate(Pacer<Clock>& pacer, PeriodicWork& work, const std::atomic<b
         const Period period = pacer.wait_for_next();
         more = work.tick(period);
         pacer.be_punctual(work.needs_punctuality());
+        pacer.gather(work.ticks_at_once());
         pacer.finish(period);
     }
 }

@@ -29,8 +29,16 @@ void IoThread::stop() noexcept {
         const std::lock_guard lock(mutex_);
         stop_ = true;
     }
-    stop_asked_.notify_one();
+    changed_.notify_one();
     thread_.join();
+}
+
+void IoThread::wake() noexcept {
+    {
+        const std::lock_guard lock(mutex_);
+        awake_ = true;
+    }
+    changed_.notify_one();
 }
 
 void IoThread::run(IoWork& work) noexcept {
@@ -40,7 +48,8 @@ void IoThread::run(IoWork& work) noexcept {
         const std::int64_t rest_ns = work.round(MonotonicClock::now_ns());
         lock.lock();
         if (rest_ns > 0)
-            stop_asked_.wait_for(lock, std::chrono::nanoseconds(rest_ns), [this] { return stop_; });
+            changed_.wait_for(lock, std::chrono::nanoseconds(rest_ns), [this] { return stop_ || awake_; });
+        awake_ = false;
     }
     lock.unlock();
     work.finish();

@@ -36,14 +36,17 @@ class IoThread {
     Result<void> start(IoWork& work, const std::string& name);
     // Interrupts the sleep, waits for the round and finish(), and joins. Does nothing if it is not running.
     void stop() noexcept;
+    // Any thread: ends the sleep, or the next one. Takes a lock that the I/O thread holds for an instant.
+    void wake() noexcept;
     [[nodiscard]] bool running() const noexcept { return thread_.joinable(); }
 
   private:
     void run(IoWork& work) noexcept;
 
     std::mutex mutex_;
-    std::condition_variable stop_asked_;
-    bool stop_ = false;  // under mutex_
+    std::condition_variable changed_;
+    bool stop_ = false;   // under mutex_
+    bool awake_ = false;  // likewise
     std::thread thread_;
 };
 

@@ -71,14 +71,18 @@ class Pacer {
           origin_ns_(clock.now_ns() + static_cast<std::int64_t>(period_ns_)),
           awake_since_ns_(clock.now_ns()) {}
 
-    // Waits for the next deadline (not at all if it has passed) and returns the period that has begun.
+    // Waits for the next deadline (not at all if it has passed) and returns the period that has begun. While
+    // periods are gathered, it waits for the last of them, and the next calls return the others at once.
     Period wait_for_next() noexcept {
         const std::uint64_t index = awaited();
-        const std::int64_t awaited_ns = deadline_ns(index);
+        if (index < gathered_end_) return gathered(index);
+        const std::uint64_t last = index + gathers_ - 1;
+        const std::int64_t awaited_ns = deadline_ns(last);
         const std::int64_t start_ns = wait_until(awaited_ns);
 
         Period period;
-        period.index = std::max(index, index_at(start_ns));
+        period.index = index + (std::max(last, index_at(start_ns)) - last);
+        gathered_end_ = period.index + gathers_;
         period.tick = stats_.ticks;
         period.skipped = period.index - index;
         period.deadline_ns = deadline_ns(period.index);
@@ -98,8 +102,12 @@ class Pacer {
     void finish(const Period& period) noexcept {
         const std::int64_t end_ns = clock_.now_ns();
         stats_.tick_ns.record(end_ns - period.start_ns);
-        if (end_ns > deadline_ns(period.index + 1)) ++stats_.overrun_periods;
+        if (end_ns > deadline_ns(std::max(period.index + 1, gathered_end_))) ++stats_.overrun_periods;
     }
+
+    // Sets how many periods each wait gathers (default: one, at least one). A loop that may be late by some
+    // periods so wakes less often.
+    void gather(std::uint64_t periods) noexcept { gathers_ = periods; }
 
     // Sets whether hybrid waits spin before the deadline (default: yes).
     void be_punctual(bool punctual) noexcept { guard_ns_ = punctual ? hybrid_guard_ns_ : 0; }
@@ -115,6 +123,17 @@ class Pacer {
 
   private:
     [[nodiscard]] std::uint64_t awaited() const noexcept { return stats_.ticks == 0 ? 0 : last_index_ + 1; }
+
+    // A period that had begun when the wait ended.
+    Period gathered(std::uint64_t index) noexcept {
+        Period period;
+        period.index = last_index_ = index;
+        period.tick = stats_.ticks++;
+        period.deadline_ns = deadline_ns(index);
+        period.start_ns = clock_.now_ns();
+        period.dt_s = period_ns_ * 1e-9;
+        return period;
+    }
 
     // The last period whose deadline is not after time_ns.
     [[nodiscard]] std::uint64_t index_at(std::int64_t time_ns) const noexcept {
@@ -161,6 +180,8 @@ class Pacer {
     std::int64_t awake_since_ns_;
     std::int64_t rest_owed_ns_ = 0;
     std::uint64_t last_index_ = 0;
+    std::uint64_t gathers_ = 1;
+    std::uint64_t gathered_end_ = 0;  // one past the last period that the last wait has gathered
     TickStats stats_;
 };
 

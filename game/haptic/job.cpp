@@ -41,9 +41,10 @@ constexpr std::size_t kCommandCapacity = 256;
 constexpr std::uint64_t kMostLate = 1'000'000;
 constexpr std::size_t kStateCapacity = 4;
 
-// The hashes that belong to a full ring of records.
-std::size_t hash_capacity(const HapticJobOptions& options) {
-    return options.record_capacity / record::kHashInterval + 2;
+// The ticks of that time; at least one.
+std::uint64_t ticks_of(std::int64_t time_ns, double rate_hz) {
+    return std::max<std::uint64_t>(static_cast<std::uint64_t>(static_cast<double>(time_ns) * 1e-9 * rate_hz),
+                                   1);
 }
 
 jobs::FixedRateJobOptions job_options(const HapticParameters& parameters, const HapticJobOptions& options) {
@@ -58,6 +59,7 @@ jobs::FixedRateJobOptions job_options(const HapticParameters& parameters, const 
 HapticWork::HapticWork(HapticState start, const HapticParameters& parameters, ToolDevices devices,
                        const HapticJobOptions& options)
     : start_(std::move(start)),
+      ticks_a_rest_(ticks_of(haptics::Watchdog::kRestNs, parameters.rate_hz())),
       parameters_(parameters),
       options_(options),
       devices_(std::move(devices)),
@@ -68,7 +70,6 @@ HapticWork::HapticWork(HapticState start, const HapticParameters& parameters, To
       states_(kStateCapacity),
       old_states_(2 * kStateCapacity),
       records_(options.record_capacity),
-      hashes_(hash_capacity(options)),
       snapshots_(first_snapshot(start_, parameters_)),
       pots_([&] { return PotCopy{.pot = pot_of(start_), .stamp = {}}; }) {
     hold_to(fits_.front());
@@ -88,6 +89,7 @@ bool HapticWork::tick(const jobs::Period& period) noexcept {
     devices_.all().feel(work_felt(state_, result, parameters_));
     devices_.all().write(result.limited_force_n);
     largest_force_n2_ = std::max(largest_force_n2_, glm::dot(result.limited_force_n, result.limited_force_n));
+    watchdog_.rest(rests_);
     watchdog_.beat();
     keep_record(result);
     publish(result);
@@ -179,6 +181,9 @@ DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
         haptics::restart_ramp(state_.safety);
     }
     // A running force test needs a person at the device.
+    // A wheel without motors, at which nobody is, may be late by some ms.
+    rests_ = options_.spares_the_core && nobody_is_there_ && !force_test_.runs() && device.signs.is_alone &&
+             !fits_[device_].is_felt;
     const bool alone = (nobody_is_there_ && !force_test_.runs()) || watchdog_.picture_stands_still();
     if (alone && fits_[device_].has_motors) device.signs.hand_is_there = false;
     device.test_force_n = force_test_.step(state_.safety, device_, parameters_.dt_s());
@@ -238,15 +243,10 @@ void HapticWork::keep_record(const TickResult& result) noexcept {
     record.run = static_cast<std::uint32_t>(run_);
     if (lump_is_fresh_) record.flags |= TickRecord::kFreshLump;
     if (state_was_put_) record.flags |= TickRecord::kStatePut;
-    if (result.hash_due) record.flags |= TickRecord::kHashDue;
     if (state_.safety.fault != haptics::Fault::kNone) record.flags |= TickRecord::kFault;
     record.tool = state_.tool;
     record.force_n = result.forces.total_n();
-
-    bool kept = true;
-    if (result.hash_due) kept = hashes_.try_push({.ticks = state_.ticks, .state_hash = result.state_hash});
-    kept = records_.try_push(record) && kept;
-    if (!kept) ++dropped_records_;
+    if (!records_.try_push(record)) ++dropped_records_;
 }
 
 void HapticWork::publish(const TickResult& result) noexcept {

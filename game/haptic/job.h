@@ -25,7 +25,8 @@ namespace onggi::haptic {
 struct HapticJobOptions {
     jobs::WaitMode wait = jobs::WaitMode::kHybrid;
     // Does not spin while the tool's device has no motors: without force the exact start of a tick cannot be
-    // felt, and spinning takes two fifths of a core at 4 kHz.
+    // felt, and spinning takes two fifths of a core at 4 kHz. Ticks in bursts of 4 ms while, besides, nobody
+    // is there and no device other than the first is plugged in.
     bool spares_the_core = false;
     jobs::RealTimeRequest real_time{};
     jobs::RealTimePolicy policy = jobs::RealTimePolicy::kIgnore;
@@ -51,6 +52,7 @@ class HapticWork final : public jobs::PeriodicWork {
     [[nodiscard]] bool needs_punctuality() const noexcept override {
         return !options_.spares_the_core || fits_[device_].is_felt;
     }
+    [[nodiscard]] std::uint64_t ticks_at_once() const noexcept override { return rests_ ? ticks_a_rest_ : 1; }
 
     // The consumer's side of each hand-off, on one thread that is not the haptic one. Returns the newest
     // snapshot, which is unchanged until the next call; its pot is the newest finished copy and valid as
@@ -67,12 +69,11 @@ class HapticWork final : public jobs::PeriodicWork {
     // many states are queued. Precondition: the same clay as the start's, of the same size.
     [[nodiscard]] bool put(std::unique_ptr<HapticState> state, std::uint64_t run);
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return records_.try_pop(record); }
-    [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return hashes_.try_pop(hash); }
 
     // Only while the haptic thread does not run.
     [[nodiscard]] const HapticState& state() const noexcept { return state_; }
     [[nodiscard]] std::uint64_t runs() const noexcept { return run_ + 1; }
-    // The number of ticks whose record or hash was dropped because its ring was full. If it is not 0, the
+    // The number of ticks whose record was dropped because the ring was full. If it is not 0, the
     // recording is incomplete.
     [[nodiscard]] std::uint64_t dropped_records() const noexcept { return dropped_records_; }
     [[nodiscard]] haptics::HapticDevice& device() noexcept { return devices_.all(); }
@@ -112,6 +113,7 @@ class HapticWork final : public jobs::PeriodicWork {
                                                    const HapticParameters& parameters, bool is_paper);
     void hold_to(const Fit& fit) noexcept;
 
+    const std::uint64_t ticks_a_rest_;
     HapticParameters parameters_;  // with the limits of the device that has the tool
     const HapticJobOptions options_;
     ToolDevices devices_;
@@ -128,6 +130,7 @@ class HapticWork final : public jobs::PeriodicWork {
     std::uint32_t silences_ = 0;
     std::size_t device_ = 0;
     bool nobody_is_there_ = false;
+    bool rests_ = false;  // ticks in bursts
     ForceTest force_test_;
     std::uint64_t periods_ = 0;
     double largest_force_n2_ = 0.0;
@@ -142,7 +145,6 @@ class HapticWork final : public jobs::PeriodicWork {
     jobs::SpscRing<OfRun> states_;             // to be put on
     jobs::SpscRing<HapticState*> old_states_;  // to be freed
     jobs::SpscRing<TickRecord> records_;
-    jobs::SpscRing<BlockHash> hashes_;
     jobs::TripleBuffer<Snapshot> snapshots_;
     PotCopier pot_copier_;  // haptic thread
     jobs::TripleBuffer<PotCopy> pots_;
@@ -182,7 +184,6 @@ class HapticJob {
     }
     // For the recording thread, which is this one or another, but always the same.
     [[nodiscard]] bool take_record(TickRecord& record) noexcept { return work_.take_record(record); }
-    [[nodiscard]] bool take_hash(BlockHash& hash) noexcept { return work_.take_hash(hash); }
 
     // After start().
     [[nodiscard]] const jobs::RealTimeReport& real_time() const noexcept { return job_.real_time(); }

@@ -84,7 +84,6 @@ enum class Command : std::uint8_t {
 // Haptic thread to the recording thread; in order, one per tick.
 struct TickRecord {
     static constexpr std::uint32_t kFreshLump = 1U << 1U;  // the lump was made fresh before this tick
-    static constexpr std::uint32_t kHashDue = 1U << 2U;    // a BlockHash belongs to it
     static constexpr std::uint32_t kStatePut = 1U << 4U;   // another state was put on before this tick
     static constexpr std::uint32_t kFault = 1U << 3U;      // a fault is latched: the device got no force
 
@@ -96,11 +95,5 @@ struct TickRecord {
 };
 static_assert(sizeof(TickRecord) <= 192, "three cache lines; ten seconds at 4 kHz are 7.7 MB");
 static_assert(std::is_trivially_copyable_v<TickRecord>);
-
-// The state's hash after each complete block of ticks; sent before the record with kHashDue.
-struct BlockHash {
-    std::uint64_t ticks = 0;  // since the lump was fresh
-    std::uint64_t state_hash = 0;
-};
 
 }  // namespace onggi::haptic

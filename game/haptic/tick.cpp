@@ -124,8 +124,6 @@ TickResult tick(HapticState& state, const tool::ToolState& tool, const HapticPar
     result.limited_force_n = limited_force(state, tool, parameters, device, result.forces);
 
     ++state.ticks;
-    result.hash_due = state.ticks % record::kHashInterval == 0;
-    if (result.hash_due) result.state_hash = state.hash();
     return result;
 }
 

@@ -13,7 +13,6 @@
 #include "game/clay/studio/studio_clay.h"
 #include "game/clay/wheel_angle.h"
 #include "game/haptic/device_force.h"
-#include "game/record/session_format.h"
 #include "game/tool/tool_state.h"
 
 namespace onggi::haptic {
@@ -70,10 +69,8 @@ struct HapticState {
 };
 
 struct TickResult {
-    clay::ContactForces forces;    // on the first hand; recordings hold their sum F of Eq. (3)
-    dvec3 limited_force_n{0.0};    // to the device
-    bool hash_due = false;         // this tick ends a block of record::kHashInterval
-    std::uint64_t state_hash = 0;  // after this tick, when due
+    clay::ContactForces forces;  // on the first hand; recordings hold their sum F of Eq. (3)
+    dvec3 limited_force_n{0.0};  // to the device
 
     // For the studio's clay:
     clay::ContactForces second_forces;  // on the second hand or the assist

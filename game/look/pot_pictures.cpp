@@ -23,26 +23,33 @@
 namespace onggi::look {
 namespace {
 
-vec4 texel(int x, int y) {
-    const std::vector<std::uint8_t>& texels = render::detail_texture();
-    constexpr int kLast = render::kDetailTexels - 1;
-    const auto first = static_cast<std::size_t>(4 * ((y & kLast) * render::kDetailTexels + (x & kLast)));
-    vec4 value;
-    for (int channel = 0; channel < 4; ++channel)
-        value[channel] = static_cast<float>(texels[first + static_cast<std::size_t>(channel)]) / 255.0F;
-    return value;
+constexpr int kLastTexel = render::kDetailTexels - 1;
+
+// The streak texture, 0 to 1.
+std::vector<vec4> streak_texels() {
+    const std::vector<std::uint8_t>& bytes = render::detail_texture();
+    std::vector<vec4> texels(bytes.size() / 4);
+    for (std::size_t at = 0; at < bytes.size(); ++at)
+        texels[at / 4][static_cast<int>(at % 4)] = static_cast<float>(bytes[at]) / 255.0F;
+    return texels;
 }
 
-// Samples the streak texture with bilinear filtering.
-vec4 streaks(float across, float up) {
-    const float x = across * render::kDetailTexels - 0.5F;
-    const float y = up * render::kDetailTexels - 0.5F;
-    const auto left = static_cast<int>(std::floor(x));
-    const auto top = static_cast<int>(std::floor(y));
-    const float right_fraction = x - static_cast<float>(left);
-    const float low_fraction = y - static_cast<float>(top);
-    return glm::mix(glm::mix(texel(left, top), texel(left + 1, top), right_fraction),
-                    glm::mix(texel(left, top + 1), texel(left + 1, top + 1), right_fraction), low_fraction);
+// A place on one axis of that texture: two neighbouring texels, and how far it is from the first to the
+// second.
+struct Between {
+    std::size_t first;
+    std::size_t second;
+    float fraction;
+};
+Between between_texels(float turns) {
+    const float at = turns * render::kDetailTexels - 0.5F;
+    const auto first = static_cast<int>(std::floor(at));
+    return {static_cast<std::size_t>(first & kLastTexel), static_cast<std::size_t>((first + 1) & kLastTexel),
+            at - static_cast<float>(first)};
+}
+
+float angle_of_column(int x) {
+    return kTurnF * (static_cast<float>(x) + 0.5F) / kPictureSide;
 }
 
 constexpr int kSubRows = 4;      // samples per row of texels: streaks are finer than a row
@@ -185,33 +192,45 @@ vec3 in_tangent_space(const BakedRow& baked, float lean_round, float lean_up) {
 }  // namespace
 
 PotLook lathe_look(const render::LatheMaterial& material, std::string name) {
-    const vec3 wet = wet_albedo(material.albedo);
-    const float wet_roughness = render::wet_roughness(material);
-    const auto at = [=](const Place& place) {
-        // Two copies of the texture go round, clockwise seen from above, as in lathe.vert.
-        const vec4 mark =
-            streaks(-place.angle * std::numbers::inv_pi_v<float>, place.along_mm / shaders::kStreakMm);
-        const vec3 body = glm::mix(material.albedo, wet, material.wetness);
-        return Surface{
-            .colour = body * shaders::lathe_tone(material.streaks, mark.x),
-            .roughness = shaders::lathe_roughness(material.roughness, wet_roughness, material.wetness),
-            .coat = shaders::lathe_film(material.film, mark.w, material.coat),
-            .lean_round = -shaders::lathe_lean(material.streaks, mark.y),
-            .lean_up = shaders::lathe_lean(material.streaks, mark.z)};
+    const vec3 body = glm::mix(material.albedo, wet_albedo(material.albedo), material.wetness);
+    const float roughness =
+        shaders::lathe_roughness(material.roughness, render::wet_roughness(material), material.wetness);
+    // Two copies of the texture go round, clockwise seen from above, as in lathe.vert.
+    std::vector<Between> columns;
+    for (int x = 0; x < kPictureSide; ++x)
+        columns.push_back(between_texels(-angle_of_column(x) * std::numbers::inv_pi_v<float>));
+    const auto at = [=, texels = streak_texels(), columns = std::move(columns)](const Place& row,
+                                                                                std::span<Surface> round) {
+        const Between up = between_texels(row.along_mm / shaders::kStreakMm);
+        const vec4* const top = texels.data() + up.first * render::kDetailTexels;
+        const vec4* const low = texels.data() + up.second * render::kDetailTexels;
+        for (std::size_t x = 0; x < round.size(); ++x) {
+            const auto [left, right, fraction] = columns[x];
+            const vec4 mark = glm::mix(glm::mix(top[left], top[right], fraction),
+                                       glm::mix(low[left], low[right], fraction), up.fraction);
+            round[x] = {.colour = body * shaders::lathe_tone(material.streaks, mark.x),
+                        .roughness = roughness,
+                        .coat = shaders::lathe_film(material.film, mark.w, material.coat),
+                        .lean_round = -shaders::lathe_lean(material.streaks, mark.y),
+                        .lean_up = shaders::lathe_lean(material.streaks, mark.z)};
+        }
     };
     return {.name = std::move(name), .coat_roughness = render::film_roughness(material), .at = at};
 }
 
 PotLook glaze_look(const finish::GlazeMaterial& glaze, float height_mm) {
-    const auto at = [=](const Place& place) {
-        const finish::GlazePlace here{
-            .height_mm = place.height_mm, .angle = place.angle, .inside = place.inside};
-        constexpr float kBareRoughness = 0.85F;
-        const bool is_bare = finish::is_bare(glaze, here);
-        return Surface{.colour = finish::glaze_colour(glaze, height_mm, here),
-                       .roughness = is_bare ? kBareRoughness : glaze.roughness,
-                       .coat = is_bare ? 0.0F : glaze.clear_coat,
-                       .lean_up = finish::kFingerLean * finish::finger_ring(here)};
+    const auto at = [=](const Place& row, std::span<Surface> round) {
+        for (std::size_t x = 0; x < round.size(); ++x) {
+            const finish::GlazePlace here{.height_mm = row.height_mm,
+                                          .angle = angle_of_column(static_cast<int>(x)),
+                                          .inside = row.inside};
+            constexpr float kBareRoughness = 0.85F;
+            const bool is_bare = finish::is_bare(glaze, here);
+            round[x] = {.colour = finish::glaze_colour(glaze, height_mm, here),
+                        .roughness = is_bare ? kBareRoughness : glaze.roughness,
+                        .coat = is_bare ? 0.0F : glaze.clear_coat,
+                        .lean_up = finish::kFingerLean * finish::finger_ring(here)};
+        }
     };
     return {.name = std::string(glaze.id), .coat_roughness = glaze.coat_roughness, .at = at};
 }
@@ -219,17 +238,21 @@ PotLook glaze_look(const finish::GlazeMaterial& glaze, float height_mm) {
 PotLook marked_look(PotLook look, const decoration::Marks& marks, const finish::MarkPalette& palette,
                     float height_mm) {
     const auto texture = std::make_shared<const decoration::Texture>(decoration::texture_of(marks));
-    const auto at = [=, wall = marks.wall, plain = std::move(look.at)](const Place& place) {
-        Surface surface = plain(place);
-        if (place.inside) return surface;
-        const int column = decoration::column_at(0.5F * place.angle * std::numbers::inv_pi_v<float>);
+    const auto at = [=, wall = marks.wall, plain = std::move(look.at)](const Place& place,
+                                                                       std::span<Surface> round) {
+        plain(place, round);
+        if (place.inside) return;
         const int row = decoration::row_at(place.height_mm / height_mm);
-        surface.colour =
-            finish::marked(surface.colour, finish::mark_colour(palette, texture->at(column, row)));
-        const vec2 lean = finish::relief_lean(*texture, wall, column, row);
-        surface.lean_round += lean.x;
-        surface.lean_up += lean.y;
-        return surface;
+        for (std::size_t x = 0; x < round.size(); ++x) {
+            Surface& surface = round[x];
+            const float angle = angle_of_column(static_cast<int>(x));
+            const int column = decoration::column_at(0.5F * angle * std::numbers::inv_pi_v<float>);
+            surface.colour =
+                finish::marked(surface.colour, finish::mark_colour(palette, texture->at(column, row)));
+            const vec2 lean = finish::relief_lean(*texture, wall, column, row);
+            surface.lean_round += lean.x;
+            surface.lean_up += lean.y;
+        }
     };
     return {.name = std::move(look.name), .coat_roughness = look.coat_roughness, .at = at};
 }
@@ -239,22 +262,27 @@ PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::
     PotPictures pictures{.base_colour = blank(), .normal = blank(), .surface = blank(), .coat = blank()};
     const Outline outline(rings, shrinkage);
     RowsByPlace places(rows);
+    std::array<std::vector<Surface>, kSubRows> rounds;
+    for (std::vector<Surface>& round : rounds)
+        round.resize(kPictureSide);
     for (int y = 0; y < kPictureSide; ++y) {
         std::array<BakedRow, kSubRows> sub;
         for (int i = 0; i < kSubRows; ++i) {
             const double v = (y + (i + 0.5) / kSubRows) / kPictureSide;
-            sub[static_cast<std::size_t>(i)] = baked_row(places.at(v), outline);
+            BakedRow& baked = sub[static_cast<std::size_t>(i)];
+            baked = baked_row(places.at(v), outline);
+            look.at({.height_mm = static_cast<float>(baked.row.y_mm),
+                     .along_mm = baked.along_mm,
+                     .inside = baked.row.inside},
+                    rounds[static_cast<std::size_t>(i)]);
         }
         const float open = outline.open(sub[kSubRows / 2].row);
-        for (int x = 0; x < kPictureSide; ++x) {
-            const float angle = kTurnF * (static_cast<float>(x) + 0.5F) / kPictureSide;
+        for (std::size_t x = 0; x < kPictureSide; ++x) {
             Surface mean{.colour = vec3(0.0F), .roughness = 0.0F, .coat = 0.0F};
             vec3 normal(0.0F);
-            for (const BakedRow& baked : sub) {
-                const Surface found = look.at({.height_mm = static_cast<float>(baked.row.y_mm),
-                                               .along_mm = baked.along_mm,
-                                               .angle = angle,
-                                               .inside = baked.row.inside});
+            for (std::size_t i = 0; i < kSubRows; ++i) {
+                const BakedRow& baked = sub[i];
+                const Surface& found = rounds[i][x];
                 mean.colour += found.colour / static_cast<float>(kSubRows);
                 mean.roughness += found.roughness / static_cast<float>(kSubRows);
                 mean.coat += found.coat / static_cast<float>(kSubRows);

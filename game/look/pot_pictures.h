@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct Place {
     float height_mm = 0.0F;
     float along_mm =
         0.0F;            // along the outline, from the foot up the outside, over the rim and down the inside
-    float angle = 0.0F;  // from the clay's direction 0, counter-clockwise seen from above
+    float angle = 0.0F;  // from the clay's direction 0, counter-clockwise seen from above; of a row, unused
     bool inside = false;
 };
 
@@ -43,7 +44,8 @@ struct Surface {
 struct PotLook {
     std::string name;
     float coat_roughness = 0.1F;
-    std::function<Surface(const Place&)> at;
+    // Fills in the surfaces of a row of the pictures, one a column.
+    std::function<void(const Place& row, std::span<Surface> round)> at;
 };
 
 // With streaks of fingers, and water if the material holds some.

@@ -37,11 +37,13 @@ constexpr std::size_t kTickCount = 16;  // end marker: number of blocks in the f
 constexpr std::size_t kBodyChecksum = 20;
 constexpr std::size_t kStateHash = 24;
 constexpr std::size_t kReserved = 32;
+constexpr std::size_t kPackedBytes = 32;  // of a packed block
 constexpr std::size_t kChecksum = 36;
 constexpr std::size_t kSize = 40;
 }  // namespace block_at
 
 constexpr std::uint32_t kTicksTag = 0x534b4354;       // "TCKS"
+constexpr std::uint32_t kPackedTag = 0x504b4354;      // "TCKP"
 constexpr std::uint32_t kSupplementTag = 0x53444441;  // "ADDS"
 constexpr std::uint32_t kEndTag = 0x2e444e45;         // "END."
 

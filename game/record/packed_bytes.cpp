@@ -11,6 +11,7 @@
 
 #include "engine/core/little_endian.h"
 #include "engine/core/within_memory.h"
+#include "game/record/zigzag.h"
 
 namespace onggi::record {
 namespace {
@@ -31,14 +32,6 @@ constexpr Word kSign = Word{1} << 31U;
 // Maps a float's bits to an order in which the next integer is the next larger float.
 Word in_order(Word bits) {
     return (bits & kSign) != 0 ? bits ^ ~kSign : bits;
-}
-
-// Zigzag coding: small differences of either sign become small words.
-Word folded(Word difference) {
-    return (difference << 1U) ^ (Word{0} - (difference >> 31U));
-}
-Word unfolded(Word word) {
-    return (word >> 1U) ^ (Word{0} - (word & 1U));
 }
 
 // Adds the offset to a float. Bits that are not a finite number stay unchanged.

@@ -10,6 +10,7 @@
 #include "engine/core/little_endian.h"
 #include "engine/core/quote.h"
 #include "game/record/layout.h"
+#include "game/record/packed_block.h"
 
 namespace onggi::record {
 
@@ -17,7 +18,8 @@ using little_endian::get;
 using little_endian::get_double;
 
 const std::byte* Session::at(std::size_t offset) const noexcept {
-    return reinterpret_cast<const std::byte*>(bytes_.data()) + offset;
+    return offset < bytes_.size() ? reinterpret_cast<const std::byte*>(bytes_.data()) + offset
+                                  : unpacked_.data() + (offset - bytes_.size());
 }
 
 std::span<const std::byte> Session::supplement() const noexcept {
@@ -29,12 +31,14 @@ std::span<const std::byte> Session::start_state() const noexcept {
     return {at(start_state_at_), start_state_bytes_};
 }
 
-std::uint32_t Session::force_check_at(std::uint64_t tick) const noexcept {
+bool Session::has_force_at(std::uint64_t tick, const dvec3& force_n) const noexcept {
     assert(tick < tick_count_);
     // The reader has checked that every block but the last holds kHashInterval ticks.
     const Block& block = blocks_[static_cast<std::size_t>(tick / kHashInterval)];
-    return get<std::uint32_t>(
-        at(block.checks_at + static_cast<std::size_t>(tick - block.first_tick) * kCheckBytes));
+    const std::uint32_t check = force_check(force_n);
+    const auto in_block = static_cast<std::size_t>(tick - block.first_tick);
+    if (!block.is_packed) return get<std::uint32_t>(at(block.checks_at + in_block * kCheckBytes)) == check;
+    return get<std::uint16_t>(at(block.checks_at + in_block * kPackedCheckBytes)) == packed_check(check);
 }
 
 tool::ToolState SessionCursor::at(std::uint64_t tick) noexcept {
@@ -123,8 +127,12 @@ class SessionReader {
         return wrong_at(at_ + field, expected, found);
     }
     Error wrong_at(std::size_t offset, std::string_view expected, std::string_view found) const {
+        const std::string place = session_.unpacked_.empty() || offset < session_.bytes_.size()
+                                      ? fmt::format("byte {}", offset)
+                                      : fmt::format("block at byte {}: unpacked byte {}", at_,
+                                                    offset - session_.bytes_.size() - unpacked_from_);
         return bad_input(
-            fmt::format("{}: byte {}: expected {}, found {}", shown_path(name_), offset, expected, found));
+            fmt::format("{}: {}: expected {}, found {}", shown_path(name_), place, expected, found));
     }
     std::optional<Error> expect_checksum(std::string_view of, std::span<const std::byte> bytes,
                                          std::size_t stored_at) const {
@@ -145,7 +153,10 @@ class SessionReader {
     std::optional<Error> check_version() const;
     Result<void> read_start_state();
     Result<void> read_block();
-    std::optional<Error> check_block_head(std::uint32_t tick_count) const;
+    std::optional<Error> check_block_head(std::uint32_t tick_count, bool is_packed) const;
+    // Unpacks the body at body_at. Returns the offset of its records.
+    Result<std::size_t> unpack_body(std::size_t body_at, std::size_t body_bytes, std::size_t records_bytes,
+                                    std::uint32_t tick_count);
     Result<void> read_supplement();
     Result<void> read_end();
     Result<void> check_records(std::size_t from, std::size_t to, std::uint32_t tick_count) const;
@@ -156,6 +167,8 @@ class SessionReader {
     std::string_view name_;
     Session session_;
     bool may_have_supplement_ = false;
+    bool may_be_packed_ = false;
+    std::size_t unpacked_from_ = 0;  // where the last packed block begins in unpacked_
     std::size_t at_ = 0;
     bool cut_ = false;  // the file ends before its end marker
 };
@@ -189,6 +202,7 @@ Result<void> SessionReader::read_header() {
         return *error;
     }
     may_have_supplement_ = number_at<std::uint16_t>(header_at::kMinor) >= 1;
+    may_be_packed_ = number_at<std::uint16_t>(header_at::kMinor) >= 2;
     SessionHeader& header = session_.header_;
     header.rate_hz = get_double(session_.at(header_at::kRate));
     if (!(header.rate_hz >= kMinSessionRateHz && header.rate_hz <= kMaxSessionRateHz)) {
@@ -254,14 +268,16 @@ Result<void> SessionReader::read_block() {
     if (tag == kEndTag) return read_end();
     if (tag == kSupplementTag && may_have_supplement_ && session_.supplement_bytes_ == 0)
         return read_supplement();
-    if (tag != kTicksTag || session_.supplement_bytes_ > 0)
+    const bool is_packed = tag == kPackedTag && may_be_packed_;
+    if ((tag != kTicksTag && !is_packed) || session_.supplement_bytes_ > 0)
         return wrong(block_at::kTag, "a block of ticks or the end", fmt::format("{:08x}", tag));
 
     const auto tick_count = number_at<std::uint32_t>(block_at::kTickCount);
-    if (auto error = check_block_head(tick_count)) return *error;
+    if (auto error = check_block_head(tick_count, is_packed)) return *error;
     const std::size_t records_bytes = number_at<std::uint32_t>(block_at::kRecordBytes);
     const std::size_t body_at = at_ + block_at::kSize;
-    const std::size_t body_bytes = records_bytes + std::size_t{tick_count} * kCheckBytes;
+    const std::size_t body_bytes = is_packed ? number_at<std::uint32_t>(block_at::kPackedBytes)
+                                             : records_bytes + std::size_t{tick_count} * kCheckBytes;
     if (left() - block_at::kSize < body_bytes) {
         cut_ = true;
         return {};
@@ -270,15 +286,35 @@ Result<void> SessionReader::read_block() {
             expect_checksum("a block's body", span_at(body_at, body_bytes), at_ + block_at::kBodyChecksum)) {
         return *error;
     }
-    if (auto records = check_records(body_at, body_at + records_bytes, tick_count); !records) return records;
+    std::size_t records_at = body_at;
+    if (is_packed) {
+        const auto unpacked = unpack_body(body_at, body_bytes, records_bytes, tick_count);
+        if (!unpacked) return unpacked.error();
+        records_at = *unpacked;
+    }
+    if (auto records = check_records(records_at, records_at + records_bytes, tick_count); !records) {
+        session_.unpacked_.resize(is_packed ? unpacked_from_ : session_.unpacked_.size());
+        return records;
+    }
     session_.blocks_.push_back({.first_tick = session_.tick_count_,
                                 .tick_count = tick_count,
                                 .state_hash = number_at<std::uint64_t>(block_at::kStateHash),
-                                .records_at = body_at,
-                                .checks_at = body_at + records_bytes});
+                                .records_at = records_at,
+                                .checks_at = records_at + records_bytes,
+                                .is_packed = is_packed});
     session_.tick_count_ += tick_count;
     at_ = body_at + body_bytes;
     return {};
+}
+
+Result<std::size_t> SessionReader::unpack_body(std::size_t body_at, std::size_t body_bytes,
+                                               std::size_t records_bytes, std::uint32_t tick_count) {
+    const auto unpacked = unpack_block(span_at(body_at, body_bytes), records_bytes, tick_count);
+    if (!unpacked)
+        return wrong_at(body_at, fmt::format("{} bytes of packed records", records_bytes), "other bytes");
+    unpacked_from_ = session_.unpacked_.size();
+    session_.unpacked_.insert(session_.unpacked_.end(), unpacked->begin(), unpacked->end());
+    return session_.bytes_.size() + unpacked_from_;
 }
 
 Result<void> SessionReader::read_supplement() {
@@ -311,7 +347,7 @@ Result<void> SessionReader::read_supplement() {
     return {};
 }
 
-std::optional<Error> SessionReader::check_block_head(std::uint32_t tick_count) const {
+std::optional<Error> SessionReader::check_block_head(std::uint32_t tick_count, bool is_packed) const {
     if (auto error =
             expect_within<std::uint32_t>("ticks in a block", block_at::kTickCount, 1, kHashInterval)) {
         return error;
@@ -324,9 +360,12 @@ std::optional<Error> SessionReader::check_block_head(std::uint32_t tick_count) c
                                    session_.tick_count_)) {
         return error;
     }
-    if (auto error = expect_within<std::uint32_t>("in the reserved field", block_at::kReserved, 0, 0)) {
-        return error;
-    }
+    // What zlib cannot make smaller becomes little larger.
+    constexpr std::uint32_t kMostPackedBytes = 2 * kHashInterval * (1 + tool::kWholeToolBytes);
+    const auto error =
+        is_packed ? expect_within<std::uint32_t>("packed bytes", block_at::kPackedBytes, 1, kMostPackedBytes)
+                  : expect_within<std::uint32_t>("in the reserved field", block_at::kReserved, 0, 0);
+    if (error) return error;
     if (!session_.blocks_.empty() && session_.blocks_.back().tick_count < kHashInterval) {
         return wrong(block_at::kTag, "the end after a block that is not full", "another block");
     }

@@ -22,8 +22,9 @@ class Session {
         std::uint64_t first_tick = 0;
         std::uint32_t tick_count = 0;
         std::uint64_t state_hash = 0;
-        std::size_t records_at = 0;  // byte offsets in the file
+        std::size_t records_at = 0;  // byte offsets in the file; of a packed block, beyond it
         std::size_t checks_at = 0;
+        bool is_packed = false;
     };
 
     [[nodiscard]] const SessionHeader& header() const noexcept { return header_; }
@@ -39,8 +40,9 @@ class Session {
     [[nodiscard]] const std::string& damage() const noexcept { return damage_; }
     [[nodiscard]] std::size_t usable_bytes() const noexcept { return usable_bytes_; }
     [[nodiscard]] std::size_t file_bytes() const noexcept { return bytes_.size(); }
-    // force_check() of a tick as recorded. Precondition: tick < tick_count().
-    [[nodiscard]] std::uint32_t force_check_at(std::uint64_t tick) const noexcept;
+    // Whether the force is the tick's recorded one, as far as its check tells (force_check()). Precondition:
+    // tick < tick_count().
+    [[nodiscard]] bool has_force_at(std::uint64_t tick, const dvec3& force_n) const noexcept;
 
   private:
     friend class SessionReader;
@@ -49,6 +51,8 @@ class Session {
     [[nodiscard]] const std::byte* at(std::size_t offset) const noexcept;
 
     std::string bytes_;  // the whole file; ticks are decoded during playback
+    std::vector<std::byte>
+        unpacked_;  // bodies of its packed blocks; their offsets count on from the file's end
     SessionHeader header_;
     std::size_t start_state_at_ = 0;
     std::size_t start_state_bytes_ = 0;

@@ -12,7 +12,7 @@ namespace onggi::record {
 constexpr std::string_view kMagic{"\x89ONGGI\r\n", 8};
 // An addition raises the minor version, and older versions stay readable: see README.md.
 constexpr std::uint16_t kMajorVersion = 2;
-constexpr std::uint16_t kMinorVersion = 1;     // 1: a supplement may precede the end marker
+constexpr std::uint16_t kMinorVersion = 2;     // 1: a supplement may precede the end marker; 2: packed blocks
 constexpr std::uint32_t kHashInterval = 1000;  // ticks between state hashes, and per block
 
 // The limits of a file; a larger number is damage or an attack.
@@ -40,7 +40,8 @@ struct SessionHeader {
     friend bool operator==(const SessionHeader&, const SessionHeader&) = default;
 };
 
-// The check value of a tick's force. It suffices to find the tick from which a replay's forces differ.
+// The check value of a tick's force. It suffices to find the tick from which a replay's forces differ. A
+// packed block keeps half of its bits: one differing tick in 65536 is told by the tick after it.
 [[nodiscard]] std::uint32_t force_check(const dvec3& force_n) noexcept;
 
 // Whether a file's first bytes are a session's, intact or damaged.

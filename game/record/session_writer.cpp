@@ -8,6 +8,7 @@
 
 #include "engine/core/little_endian.h"
 #include "game/record/layout.h"
+#include "game/record/packed_block.h"
 
 namespace onggi::record {
 
@@ -74,6 +75,7 @@ struct BlockHead {
     std::uint32_t tick_count = 0;
     std::uint32_t body_checksum = 0;
     std::uint64_t state_hash = 0;
+    std::uint32_t packed_bytes = 0;
 };
 
 std::vector<std::byte> head_bytes(const BlockHead& head) {
@@ -85,7 +87,7 @@ std::vector<std::byte> head_bytes(const BlockHead& head) {
     put(bytes, head.tick_count);
     put(bytes, head.body_checksum);
     put(bytes, head.state_hash);
-    put(bytes, std::uint32_t{0});  // reserved
+    put(bytes, head.packed_bytes);
     put(bytes, checksum(bytes));
     assert(bytes.size() == block_at::kSize);
     return bytes;
@@ -135,7 +137,9 @@ Result<SessionWriter> SessionWriter::create(const std::filesystem::path& destina
     auto file = files::AtomicFile::create(destination, beside);
     if (!file) return file.error();
     // The lowest version that covers the content, so that older programs can read as much as possible.
-    const auto minor_version = static_cast<std::uint16_t>(supplement.empty() ? 0 : 1);
+    const auto minor_version = static_cast<std::uint16_t>(header.tool_detail == ToolDetail::kWhole ? 2
+                                                          : supplement.empty()                     ? 0
+                                                                                                   : 1);
     if (auto written = file->write(header_bytes(header, start_state, minor_version)); !written)
         return written.error();
     if (auto written = file->write(start_state); !written) return written.error();
@@ -218,16 +222,20 @@ void SessionWriter::flush_run() {
 Result<void> SessionWriter::end_block(std::uint64_t state_hash) {
     if (ticks_in_block_ == 0) return {};
     flush_run();
-    const auto record_bytes = static_cast<std::uint32_t>(records_.size());
-    for (const std::uint32_t check : checks_)
-        put(records_, check);
-    const auto head = head_bytes({.tag = kTicksTag,
-                                  .record_bytes = record_bytes,
-                                  .first_tick = tick_count_ - ticks_in_block_,
-                                  .tick_count = ticks_in_block_,
-                                  .body_checksum = checksum(records_),
-                                  .state_hash = state_hash});
-    if (auto written = file_.write(head); !written) return written;
+    BlockHead head{.tag = is_packed() ? kPackedTag : kTicksTag,
+                   .record_bytes = static_cast<std::uint32_t>(records_.size()),
+                   .first_tick = tick_count_ - ticks_in_block_,
+                   .tick_count = ticks_in_block_,
+                   .state_hash = state_hash};
+    if (is_packed()) {
+        records_ = pack_block(records_, checks_);
+        head.packed_bytes = static_cast<std::uint32_t>(records_.size());
+    } else {
+        for (const std::uint32_t check : checks_)
+            put(records_, check);
+    }
+    head.body_checksum = checksum(records_);
+    if (auto written = file_.write(head_bytes(head)); !written) return written;
     if (auto written = file_.write(records_); !written) return written;
     ++block_count_;
     ticks_in_block_ = 0;

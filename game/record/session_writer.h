@@ -54,6 +54,8 @@ class SessionWriter {
     SessionWriter(files::AtomicFile file, const SessionHeader& header, std::span<const std::byte> supplement);
     void keep_tool(const tool::ToolState& tool);
     void flush_run();
+    // Sessions of whole tools are packed: theirs are the long ones, which visits leave.
+    [[nodiscard]] bool is_packed() const { return header_.tool_detail == ToolDetail::kWhole; }
 
     files::AtomicFile file_;
     SessionHeader header_;

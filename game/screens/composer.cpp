@@ -12,7 +12,7 @@
 namespace onggi::screens {
 namespace {
 
-constexpr std::int64_t kLookEveryNs = 4'000'000;
+constexpr std::int64_t kRestNs = 1'000'000'000;    // until somebody asks
 constexpr std::int64_t kTurnEveryNs = 40'000'000;  // 25 pictures a second of a turning pot
 constexpr double kTurnS = 9.0;
 constexpr double kViewS = 4.0;
@@ -24,6 +24,11 @@ Result<void> Composer::start() {
     return thread_.start(*this, "screens");
 }
 
+void Composer::ask(std::shared_ptr<const View> view) {
+    requests_.put(view);
+    thread_.wake();
+}
+
 double TurnTable::pass(double dt_s, bool still, bool held) {
     if (!held) turned_s_ += dt_s;
     const double turn = still ? std::floor(turned_s_ / kViewS) / kViews : turned_s_ / kTurnS;
@@ -32,17 +37,18 @@ double TurnTable::pass(double dt_s, bool still, bool held) {
 
 std::int64_t Composer::turn_pots(std::int64_t now_ns) {
     const std::int64_t passed_ns = now_ns - turned_ns_;
-    if (turning_.empty() || passed_ns < kTurnEveryNs) return kLookEveryNs;
+    if (turning_.empty()) return kRestNs;
+    if (passed_ns < kTurnEveryNs) return kTurnEveryNs - passed_ns;
     turned_ns_ = now_ns;
     const double dt_s = std::min(0.1, static_cast<double>(passed_ns) * 1e-9);
     const double turn = table_.pass(dt_s, shown_->state.comfort.still, held_.load(std::memory_order_relaxed));
-    if (turn == shown_turn_) return kLookEveryNs;
+    if (turn == shown_turn_) return kTurnEveryNs;
     shown_turn_ = turn;
     auto pots = std::make_shared<TurnedPots>();
     for (const auto& [key, pot] : turning_)
         pots->push_back({key, pot->at(turn)});
     turned_.put(std::move(pots));
-    return kLookEveryNs;
+    return kTurnEveryNs;
 }
 
 std::int64_t Composer::round(std::int64_t now_ns) noexcept {

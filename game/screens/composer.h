@@ -51,8 +51,8 @@ class Composer final : private jobs::IoWork {
     Result<void> start();
     void stop() noexcept { thread_.stop(); }
 
-    // Wait-free.
-    void ask(std::shared_ptr<const View> view) noexcept { requests_.put(view); }
+    // Wakes the composer.
+    void ask(std::shared_ptr<const View> view);
     // Pauses the turning while a finger is on a pot.
     void hold(bool held) noexcept { held_.store(held, std::memory_order_relaxed); }
     // The current pictures of latest()'s pots; null if none turns.

@@ -121,9 +121,6 @@ void run_whole_ticks(benchmark::State& state, haptic::HapticState start, double 
         haptic::TickRecord record;
         while (work.take_record(record))
             benchmark::DoNotOptimize(record);
-        haptic::BlockHash hash;
-        while (work.take_hash(hash))
-            benchmark::DoNotOptimize(hash);
         contacts += work.newest_snapshot().result.forces.contacts;
         ++period.index;
         ++period.tick;

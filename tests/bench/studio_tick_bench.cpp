@@ -1,8 +1,9 @@
 // studio_tick/N/S/radius_mm: one tick of the studio clay at the kiosk's 4000 Hz, one hand 1 mm +- 0.2 mm deep
 // in the outside of a thrown wall of N rings that stands alone, so that the wall field runs.
-// studio_tick_pinch: both hands on it. studio_tick_rough: one hand on rows that are not round. Counters
-// p50_ns and p99_ns are of single ticks, clock included (some 20 ns); the wall is restored between runs of
-// ticks, outside the time taken.
+// studio_tick_pinch: both hands on it. studio_tick_rough: one hand on rows that are not round.
+// studio_tick_idle: nobody touches the turning wall, as on an unattended wheel. Counters p50_ns and p99_ns
+// are of single ticks, clock included (some 20 ns); the wall is restored between runs of ticks, outside the
+// time taken.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ constexpr double kHandMm = 100.0;
 constexpr double kWheelRadS = 4.0 * std::numbers::pi;  // 120 rev/min
 constexpr int kTicksARestore = 64;
 
-enum class Hands { kOne, kPinch, kOneOnRoughRows };
+enum class Hands { kNone, kOne, kPinch, kOneOnRoughRows };
 
 class StudioTickCase {
   public:
@@ -34,6 +35,7 @@ class StudioTickCase {
         parameters_.rate_hz = 4000.0;
         input_.wheel_button = true;
         input_.radius_mm = radius_mm;
+        input_.pressing = hands != Hands::kNone;
         if (hands == Hands::kPinch) input_.assist_gap_mm = kWallMm - 2.0;
         restore();
         for (int k = 0; k < 4; ++k)
@@ -56,6 +58,7 @@ class StudioTickCase {
     }
 
     [[nodiscard]] const char* complaint() const {
+        if (hands_ == Hands::kNone) return contacts_ != 0 ? "a hand touches the wall" : nullptr;
         if (contacts_ < 20) return "the hand does not touch the wall";
         if (hands_ == Hands::kPinch && second_contacts_ < 10)
             return "the second hand does not touch the wall";
@@ -126,6 +129,10 @@ void studio_tick_pinch(benchmark::State& state) {
     run(state, Hands::kPinch);
 }
 
+void studio_tick_idle(benchmark::State& state) {
+    run(state, Hands::kNone);
+}
+
 void studio_tick_rough(benchmark::State& state) {
     run(state, Hands::kOneOnRoughRows);
 }
@@ -140,6 +147,7 @@ BENCHMARK(studio_tick)
     ->Args({2000, 256, 20})
     ->Args({2000, 256, 40})
     ->UseManualTime();
+BENCHMARK(studio_tick_idle)->Args({2000, 256, 10})->UseManualTime();
 BENCHMARK(studio_tick_pinch)->Args({2000, 256, 10})->UseManualTime();
 BENCHMARK(studio_tick_rough)->Args({2000, 256, 10})->Args({2000, 64, 10})->UseManualTime();
 

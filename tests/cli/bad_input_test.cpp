@@ -129,9 +129,9 @@ TEST(ABadSession, IsRefusedWithTheOffset) {
         {whole.substr(0, 40), "byte 40: expected a header of 72 bytes, found the end of the file"},
         {whole.substr(0, 200), "byte 200: expected"},
         {flipped, ": expected the checksum"},
-        {newer, "byte 8: expected a session of version 2.1, found 3.0, written by a newer program"},
+        {newer, "byte 8: expected a session of version 2.2, found 3.0, written by a newer program"},
         {older,
-         "byte 8: expected a session of version 2.1, found 1.0, recorded before hands could let go: record "
+         "byte 8: expected a session of version 2.2, found 1.0, recorded before hands could let go: record "
          "it "
          "again"},
         {wrong_size, "byte 68: expected the checksum"},

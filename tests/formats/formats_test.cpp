@@ -36,7 +36,7 @@ Result<record::Session> read_session(const std::string& name) {
 }
 
 TEST(Sessions, OfVersion2AreReadAndOnesThatWereNeverShippedRefusedInOneLine) {
-    for (const char* kept : {"session/2.0.onggi", "session/2.1.onggi"}) {
+    for (const char* kept : {"session/2.0.onggi", "session/2.1.onggi", "session/2.2.onggi"}) {
         const auto session = read_session(kept);
         ASSERT_TRUE(session) << session.error().message;
         EXPECT_EQ(session->tick_count(), 9U);
@@ -51,7 +51,7 @@ TEST(Sessions, OfVersion2AreReadAndOnesThatWereNeverShippedRefusedInOneLine) {
         EXPECT_NE(refused.error().message.find("version 2."), std::string::npos) << refused.error().message;
     }
     EXPECT_EQ(record::kMajorVersion, 2) << "a new version wants a sample";
-    EXPECT_EQ(record::kMinorVersion, 1) << "a new version wants a sample";
+    EXPECT_EQ(record::kMinorVersion, 2) << "a new version wants a sample";
 }
 
 TEST(Settings, OfEveryVersionKeepTheirMeaning) {

@@ -41,7 +41,7 @@ void read(std::string bytes, record::Damage damage) {
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
         const tool::ToolState tool = cursor.at(tick);
         fuzz::expect(tool::within_limits(tool, {}) == tool);
-        static_cast<void>(session->force_check_at(tick));
+        static_cast<void>(session->has_force_at(tick, dvec3(0.0)));
     }
     // Backwards too, from the end.
     for (std::uint64_t back = 1; back <= std::min<std::uint64_t>(ticks, 64); ++back) {

@@ -55,9 +55,6 @@ struct Loop {
             TickRecord record;
             while (work->take_record(record))
                 records.push_back(record);
-            BlockHash hash;
-            while (work->take_hash(hash)) {
-            }
         }
     }
     [[nodiscard]] double force_n() const { return size_of(device->last_force_n); }

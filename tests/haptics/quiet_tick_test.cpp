@@ -44,9 +44,6 @@ class Loop {
             TickRecord record;
             while (work_.take_record(record))
                 seen_ += record.flags;
-            BlockHash hash;
-            while (work_.take_hash(hash))
-                seen_ += hash.ticks;
         }
     }
     [[nodiscard]] std::uint64_t seen() const { return seen_; }

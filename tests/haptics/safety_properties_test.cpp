@@ -392,7 +392,7 @@ TEST(SafetyProperty15, AFaultLeavesAReportThatReplaysToTheBit) {
     record::SessionCursor cursor(*session);
     for (std::uint64_t tick = 0; tick < session->tick_count(); ++tick) {
         const TickResult result = haptic::tick(start->state, cursor.at(tick), start->parameters);
-        ASSERT_EQ(record::force_check(result.forces.total_n()), session->force_check_at(tick)) << tick;
+        ASSERT_TRUE(session->has_force_at(tick, result.forces.total_n())) << tick;
     }
     EXPECT_GE(session->tick_count(), 2501U);  // the fault is in it
 }

@@ -119,13 +119,30 @@ void record_session(Performance& performance, const std::string& place) {
     ASSERT_TRUE(writer->finish(state, {}, {}));
 }
 
-TEST(StoredSession, IsRecordedAgainToTheByte) {
+// Sessions of whole tools were stored before their blocks were packed: they have the same content, in other
+// bytes.
+TEST(StoredSession, IsRecordedAgainToTheBit) {
     const TemporaryFolder folder;
     for (const char* name : kSessions) {
         auto performance = load_performance({.file = stored(name)});
         ASSERT_TRUE(performance) << performance.error().message;
         record_session(*performance, (folder / name).string());
-        EXPECT_TRUE(test::content_of(folder / name) == test::content_of(stored(name))) << name;
+        LoadedSession again = loaded(folder / name);
+        const LoadedSession before = loaded(stored(name));
+        if (before.session.header().tool_detail == record::ToolDetail::kPlain) {
+            EXPECT_TRUE(test::content_of(folder / name) == test::content_of(stored(name))) << name;
+        }
+        EXPECT_EQ(again.session.header(), before.session.header());
+        const auto state = again.session.start_state();
+        const auto state_before = before.session.start_state();
+        EXPECT_TRUE(std::equal(state.begin(), state.end(), state_before.begin(), state_before.end()));
+        ASSERT_EQ(again.session.tick_count(), before.session.tick_count()) << name;
+        record::SessionCursor cursor(again.session);
+        record::SessionCursor cursor_before(before.session);
+        for (std::uint64_t tick = 0; tick < again.session.tick_count(); ++tick)
+            ASSERT_EQ(cursor.at(tick), cursor_before.at(tick)) << name << ", " << tick;
+        EXPECT_EQ(again.session.blocks().back().state_hash, before.session.blocks().back().state_hash);
+        EXPECT_EQ(words_for(find_difference(again.session, std::move(again.start))), "none");
     }
 }
 

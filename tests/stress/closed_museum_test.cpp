@@ -111,5 +111,25 @@ TEST_F(Museum, IsDimAndSilentWhileItIsClosed) {
     EXPECT_TRUE(is_heard());
 }
 
+TEST_F(Museum, ShowsTenPicturesASecondWhileItIsClosedAndAllOfThemToSomebody) {
+    const auto shown_in_two_seconds = [&] {
+        const std::uint64_t before = kiosk.frames_shown();
+        for (int frame = 0; frame < 120; ++frame)
+            kiosk.frame();
+        return kiosk.frames_shown() - before;
+    };
+    EXPECT_EQ(shown_in_two_seconds(), 120U);
+    minute = 18 * kHourMin;
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_closed(); }));
+    EXPECT_EQ(shown_in_two_seconds(), 120U) << "while it fades";
+    for (int frame = 0; frame < 300; ++frame)
+        kiosk.frame();
+    const std::uint64_t dim = shown_in_two_seconds();
+    EXPECT_GE(dim, 15U);
+    EXPECT_LE(dim, 20U);
+    kiosk.touch();
+    EXPECT_GE(shown_in_two_seconds(), 119U);
+}
+
 }  // namespace
 }  // namespace onggi::app

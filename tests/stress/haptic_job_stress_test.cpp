@@ -40,10 +40,6 @@ TEST(HapticJobUnderStress, HandsOverSnapshotsAndRecordsWhileTheHandMovesAndComma
             if ((record.flags & TickRecord::kFreshLump) != 0) replayed.restart_from(HapticState());
             const TickResult result = tick(replayed, record.tool, parameters);
             ASSERT_EQ(result.forces.total_n(), record.force_n);
-            if (!result.hash_due) continue;
-            BlockHash hash;
-            ASSERT_TRUE(job.take_hash(hash));
-            ASSERT_EQ(hash.state_hash, result.state_hash);
         }
     };
     const std::int64_t bound_ns = jobs::MonotonicClock::now_ns() +

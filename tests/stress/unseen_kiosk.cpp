@@ -223,6 +223,10 @@ int UnseenKiosk::shown_exhibit() const {
     return parts_->visit->shown() != nullptr ? parts_->visit->shown()->view->attract_exhibit : -1;
 }
 
+std::uint64_t UnseenKiosk::frames_shown() const {
+    return parts_->visit->frames_shown();
+}
+
 bool UnseenKiosk::shown_closed() const {
     return parts_->visit->shown() != nullptr && parts_->visit->shown()->view->closed;
 }

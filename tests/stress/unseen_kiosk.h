@@ -92,6 +92,7 @@ class UnseenKiosk {
     [[nodiscard]] std::optional<kiosk::Screen> shown_screen() const;
     [[nodiscard]] int shown_exhibit() const;
     [[nodiscard]] bool shown_closed() const;
+    [[nodiscard]] std::uint64_t frames_shown() const;
     // The view it was composed from; null before the first.
     [[nodiscard]] std::shared_ptr<const screens::View> shown_view() const;
     // Presses that button of the current screen as soon as it exists.

@@ -1,7 +1,12 @@
 // The clay's stresses and when it collapses; every stress is computed by hand in a comment.
 #include "game/clay/studio/load.h"
 
+#include <array>
+#include <bit>
+#include <cstring>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "engine/core/units.h"
 #include "game/clay/studio/strength.h"
@@ -157,6 +162,89 @@ TEST(Slump, ATallCylinderSagsAtTheLiquidLimitAndStandsAFifthBelowIt) {
 // A neck 20 mm in mean radius with 3 mm of wall, under a flare of 50 mm on which a hand drags with 3 N: it
 // carries 3 x 50 = 150 N mm, which is 150/(2 pi 20^2 3) N/mm^2 = 19.9 kPa of shear, equivalent to sqrt(3)
 // times that, 34.5 kPa. Against 2 su: 7.1 kPa at LI 0.9 (index 4.8), 40.7 kPa at 0.5 (0.85).
+// A leaning wall with a solid base, a lid, rough rows and water that differs from ring to ring.
+Rings uneven_rings() {
+    Bench bench({.mass_g = 500.0, .rings = 1000, .sectors = 64, .off_centre_mm = 0.0},
+                {30.0, 4.0, 8.0, 70.0, 700});
+    Rings shaped = bench.clay.rings();
+    for (int i = 0; i < shaped.count; ++i) {
+        const double lean = 0.1 * std::max(shaped.centre_mm(i) - 20.0, 0.0) + 0.01 * (i % 7);
+        shaped.outer_mm[Rings::at(i)] += lean;
+        if (shaped.is_hollow(i)) shaped.inner_mm[Rings::at(i)] = i > 690 ? 0.0 : 26.0 + lean;
+    }
+    bench.clay.set_profile(shaped.outer_mm, shaped.inner_mm);
+    Rings rings = bench.clay.rings();
+    for (int i = 0; i < rings.count; ++i) {
+        set_liquidity(rings, i, 0.55 + 0.01 * (i % 13));
+        rings.film[Rings::at(i)] = 0.1F * static_cast<float>(i % 3);
+        if (i % 5 != 0) continue;
+        rings.rough_mm[Rings::at(i)] = 0.4F;
+        for (int s = 0; s < rings.sectors; ++s)
+            rings.row_of(i)[s] = 0.05F * static_cast<float>((i + s) % 8);
+    }
+    return rings;
+}
+
+// The bits of everything that the sweep writes.
+std::vector<float> swept(const Rings& rings, const LoadSweep& sweep) {
+    std::vector<float> values;
+    const auto add = [&](const std::vector<float>& column) {
+        values.insert(values.end(), column.begin(), column.begin() + rings.count);
+    };
+    for (const auto* column :
+         {&rings.load_index, &rings.shear, &rings.slump_rate, &rings.slump_above, &rings.slump_axial,
+          &rings.slump_hoop, &rings.liquidity, &rings.film, &rings.strength_kpa, &rings.rough_mm})
+        add(*column);
+    for (const auto* column : {&rings.outer_mm, &rings.inner_mm, &rings.height_mm}) {
+        for (int i = 0; i < rings.count; ++i) {
+            const auto bits = std::bit_cast<std::array<float, 2>>((*column)[Rings::at(i)]);
+            values.insert(values.end(), bits.begin(), bits.end());
+        }
+    }
+    for (const double value :
+         {sweep.above.volume_mm3, sweep.above.volume_radius_mm4, sweep.peak_index, sweep.peak_height_mm,
+          sweep.growing_peak, sweep.growing_height_mm, sweep.failure.height_mm, sweep.failure.stress_kpa}) {
+        const auto bits = std::bit_cast<std::array<float, 2>>(value);
+        values.insert(values.end(), bits.begin(), bits.end());
+    }
+    for (const int value : {sweep.next, static_cast<int>(sweep.peak_cause),
+                            static_cast<int>(sweep.growing_cause), static_cast<int>(sweep.failure.cause)})
+        values.push_back(std::bit_cast<float>(value));
+    values.push_back(sweep.running);
+    return values;
+}
+
+TEST(Load, IsTheSameToTheBitWhetherRingsAreWeighedOneByOneOrTogether) {
+    for (const auto& turned : {std::pair{0.0, 0.0}, {12.0, 300.0}, {45.0, 0.0}, {20.0, 60000.0}}) {
+        const double speed = turned.first;
+        const double twist = turned.second;
+        const auto after_rounds = [&](int rings_a_call) {
+            Rings rings = uneven_rings();
+            LoadSweep sweep;
+            restart(sweep, rings);
+            for (int k = 0; k < 40 * 700; k += rings_a_call) {
+                sweep.credit = rings_a_call;
+                // The clay would settle the places after each call; here every call sees the same ones.
+                sweep_load(sweep, rings,
+                           {.wheel_speed_rad_s = speed,
+                            .twist_n_mm = twist,
+                            .twist_height_mm = 40.0,
+                            .evaporation_g_mm2_s = 5.6e-8,
+                            .diffusivity_mm2_s = 5e-3,
+                            .dt_s = 0.0});
+            }
+            return swept(rings, sweep);
+        };
+        const std::vector<float> together = after_rounds(700);
+        for (const int rings_a_call : {1, 20, 35, 100}) {
+            const std::vector<float> apart = after_rounds(rings_a_call);
+            ASSERT_EQ(together.size(), apart.size());
+            EXPECT_EQ(std::memcmp(together.data(), apart.data(), together.size() * sizeof(float)), 0)
+                << rings_a_call << " rings a call, " << speed << " rad/s, " << twist << " N mm";
+        }
+    }
+}
+
 TEST(Slump, ADraggingHandTwistsAThinWetNeckOffAndAStiffOneStands) {
     const auto twist = [](double liquidity, double drag_n) {
         Bench bench({.mass_g = 500.0, .rings = 1000, .off_centre_mm = 0.0});

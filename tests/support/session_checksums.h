@@ -42,9 +42,11 @@ inline void mend_session_header(std::string& bytes) {
 inline std::size_t mend_session_block(std::string& bytes, std::size_t at) {
     const std::string_view view = bytes;
     std::size_t end = at + kSessionBlockHeadBytes;
-    if (view.substr(at, 4) == "TCKS") {
-        const std::size_t body_bytes =
-            get_at<std::uint32_t>(view, at + 4) + std::size_t{4} * get_at<std::uint32_t>(view, at + 16);
+    const bool is_packed = view.substr(at, 4) == "TCKP";
+    if (is_packed || view.substr(at, 4) == "TCKS") {
+        const std::size_t body_bytes = is_packed ? get_at<std::uint32_t>(view, at + 32)
+                                                 : get_at<std::uint32_t>(view, at + 4) +
+                                                       std::size_t{4} * get_at<std::uint32_t>(view, at + 16);
         end = body_bytes <= bytes.size() - end ? end + body_bytes : 0;
         if (end != 0) put_at(bytes, at + 20, crc_of(view.substr(end - body_bytes, body_bytes)));
     }

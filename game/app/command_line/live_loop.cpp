@@ -33,9 +33,6 @@ void pass_over_records(haptic::HapticJob& job) {
     haptic::TickRecord record;
     while (job.take_record(record)) {
     }
-    haptic::BlockHash hash;
-    while (job.take_hash(hash)) {
-    }
 }
 
 Result<LiveReport> run_live(LiveRun run, const DrawFrame& draw) {

@@ -31,7 +31,7 @@ std::optional<Difference> Replay::compare_start() const {
 std::optional<Difference> Replay::step() {
     const std::uint64_t tick = ticks_++;
     last_ = haptic::tick(start_.state, cursor_.at(tick), start_.parameters);
-    if (record::force_check(last_.forces.total_n()) != session_.force_check_at(tick))
+    if (!session_.has_force_at(tick, last_.forces.total_n()))
         return Difference{
             .first_tick = tick, .last_tick = tick, .what = "its force is not the one that was recorded"};
     const record::Session::Block& block = session_.blocks()[block_];

@@ -1,13 +1,62 @@
 #include "game/clay/studio/contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "engine/math/wide_vectors.h"
 
 namespace onggi::clay::studio {
 namespace {
 
 double dot(const dvec2& a, const dvec2& b) {
     return a.x * b.x + a.y * b.y;
+}
+
+// The largest of n values and `least`. In lanes, because each comparison waits for the one before.
+double largest_of(const double* values, int n, double least) {
+    constexpr int kLanes = 8;
+    std::array<double, kLanes> lanes{};
+    lanes.fill(least);
+    const auto take = [&](int lane, double value) {
+        double& largest = lanes[at(lane)];
+        largest = value > largest ? value : largest;
+    };
+    int k = 0;
+    for (; k + kLanes <= n; k += kLanes) {
+        for (int lane = 0; lane < kLanes; ++lane)
+            take(lane, values[k + lane]);
+    }
+    for (; k < n; ++k)
+        take(0, values[k]);
+    for (int lane = 1; lane < kLanes; ++lane)
+        take(0, lanes[at(lane)]);
+    return lanes[0];
+}
+
+// The entries [first, end) that hold all values above 0.
+Rings::Range positive_part(const double* values, int n) {
+    Rings::Range part{0, n};
+    while (part.end > 0 && !(values[part.end - 1] > 0.0))
+        --part.end;
+    while (part.first < part.end && !(values[part.first] > 0.0))
+        ++part.first;
+    return part;
+}
+
+[[gnu::always_inline]] inline void surfaces_each(const double* __restrict__ face,
+                                                 const double* __restrict__ offset,
+                                                 double* __restrict__ surface, int n, double sign,
+                                                 double radius) {
+    for (int k = 0; k < n; ++k) {
+        const double square = (radius - offset[k]) * (radius + offset[k]);
+        surface[k] = sign * face[k] + std::sqrt(square > 0.0 ? square : 0.0);
+    }
+}
+
+ONGGI_WIDE_VECTORS void find_surfaces(const double* face, const double* offset, double* surface, int n,
+                                      double sign, double radius) {
+    surfaces_each(face, offset, surface, n, sign, radius);
 }
 
 }  // namespace
@@ -42,17 +91,13 @@ double resting_distance_mm(const Rings& rings, Side side, double y, double r1, C
     if (inside) range.first = std::max(range.first, rings.first_hollow);
     const double sign = inside ? -1.0 : 1.0;
     const std::vector<double>& face = inside ? rings.inner_mm : rings.outer_mm;
-    double reach = sign * face[Rings::at(rings.ring_at(y))];
+    const double reach = sign * face[Rings::at(rings.ring_at(y))];
     if (range.size() <= 0) return sign * reach;
     double* const offset = work.offset_mm.data();
+    double* const surface = work.depth_mm.data();
     rings.centres_from(y, range, offset);
-    const double* const at = face.data() + range.first;
-    for (int k = 0; k < range.size(); ++k) {
-        const double square = (r1 - offset[k]) * (r1 + offset[k]);
-        const double surface = sign * at[k] + std::sqrt(square > 0.0 ? square : 0.0);
-        reach = surface > reach ? surface : reach;
-    }
-    return sign * reach;
+    find_surfaces(face.data() + range.first, offset, surface, range.size(), sign, r1);
+    return sign * largest_of(surface, range.size(), reach);
 }
 
 namespace {
@@ -72,25 +117,62 @@ void find_rim_contact(Contact& contact, const Rings& rings, const Hand& hand) no
 void add_residuals(Contact& contact, const Rings& rings, const Hand& hand, double sign) noexcept {
     const int first = contact.range.first;
     const int n = contact.range.size();
-    bool rough = false;
-    for (int k = 0; k < n; ++k)
-        rough = rough || rings.rough_mm[Rings::at(first + k)] > 0.0F;
-    contact.has_rough_rows = rough;
-    if (!rough) return;
+    const float* const rough_mm = rings.rough_mm.data() + first;
+    contact.has_rough_rows = std::any_of(rough_mm, rough_mm + n, [](float rough) { return rough > 0.0F; });
+    if (!contact.has_rough_rows) return;
     const double turn = turn_of(hand.in_clay);
     for (int k = 0; k < n; ++k) {
-        const bool is_rough = rings.rough_mm[Rings::at(first + k)] > 0.0F;
-        const double w = is_rough ? residual_at(rings, first + k, turn) : 0.0;
+        const double w = rough_mm[k] > 0.0F ? residual_at(rings, first + k, turn) : 0.0;
         contact.residual_mm[Rings::at(k)] = w;
         contact.depth_mm[Rings::at(k)] += sign * w;
     }
+}
+
+// A hand as the contact of each ring depends on it.
+struct Reach {
+    double radius;
+    double shaft;
+    double sign;    // 1 outside, -1 inside
+    double hand;    // r3, with that sign
+    double steady;  // r3 - B.e of the mean hand, with that sign
+    double ex;      // e, with that sign
+    double ez;
+    double yield;
+};
+
+[[gnu::always_inline]] inline void contact_each(const double* __restrict__ offset,
+                                                const double* __restrict__ face, const float* __restrict__ cx,
+                                                const float* __restrict__ cz, double* __restrict__ half,
+                                                double* __restrict__ depth, double* __restrict__ push, int n,
+                                                const Reach& with) {
+    const auto [radius, shaft, sign, hand, steady, ex, ez, yield] = with;
+    for (int k = 0; k < n; ++k) {
+        const double square = (radius - offset[k]) * (radius + offset[k]);
+        double rc = std::sqrt(square > 0.0 ? square : 0.0);
+        const double stem = offset[k] > 0.0 ? shaft : 0.0;
+        rc = rc > stem ? rc : stem;
+        half[k] = rc;
+        const double surface = sign * face[k] + rc;
+        depth[k] = (surface - hand) + (static_cast<double>(cx[k]) * ex + static_cast<double>(cz[k]) * ez);
+        double x = surface - steady;
+        x = (x < kDeepestMm ? x : kDeepestMm) - yield;
+        push[k] = x > 0.0 ? x : 0.0;
+    }
+}
+
+ONGGI_WIDE_VECTORS void contact_all(Contact& contact, const Rings& rings, const double* face,
+                                    const Reach& with) {
+    const int first = contact.range.first;
+    contact_each(contact.offset_mm.data(), face + first, rings.centre_x_mm.data() + first,
+                 rings.centre_z_mm.data() + first, contact.half_width_mm.data(), contact.depth_mm.data(),
+                 contact.push_mm.data(), contact.range.size(), with);
 }
 
 }  // namespace
 
 void find_contact(Contact& contact, const Rings& rings, const Hand& hand,
                   const StudioParameters& parameters) noexcept {
-    contact.range = {};
+    contact.range = contact.touched = contact.pushed = {};
     contact.deepest_mm = contact.far_depth_mm = contact.rim_depth_mm = -1e9;
     contact.floor_depth_mm = 0.0;
     contact.has_rough_rows = false;
@@ -115,46 +197,30 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand,
     const int n = contact.range.size();
     if (n == 0) return;
 
-    double* const offset = contact.offset_mm.data();
-    double* const half = contact.half_width_mm.data();
-    double* const depth = contact.depth_mm.data();
-    double* const push = contact.push_mm.data();
-    const double* const outer = rings.outer_mm.data() + first;
-    const double* const inner = rings.inner_mm.data() + first;
-    const float* const cx = rings.centre_x_mm.data() + first;
-    const float* const cz = rings.centre_z_mm.data() + first;
-    rings.centres_from(y, contact.range, offset);
+    rings.centres_from(y, contact.range, contact.offset_mm.data());
 
     // Outside, the clay reaches out to ro + c.e + w and the hand in to r3 - rc; inside, both signs turn.
     const double sign = inside ? -1.0 : 1.0;
     const double reach = sign * hand.distance_mm;
-    const double steady = reach - sign * dot(hand.wobble_mm, hand.in_clay);  // r3 - B.e, the mean hand
-    const double ex = sign * hand.in_clay.x;
-    const double ez = sign * hand.in_clay.y;
-    const double dy = parameters.yield_depth_mm;
-    const double* const face = inside ? inner : outer;
-    for (int k = 0; k < n; ++k) {
-        const double square = (r1 - offset[k]) * (r1 + offset[k]);
-        double rc = std::sqrt(square > 0.0 ? square : 0.0);
-        const double stem = offset[k] > 0.0 ? shaft : 0.0;
-        rc = rc > stem ? rc : stem;
-        half[k] = rc;
-        const double surface = sign * face[k] + rc;
-        depth[k] = (surface - reach) + (static_cast<double>(cx[k]) * ex + static_cast<double>(cz[k]) * ez);
-        double x = surface - steady;
-        x = (x < kDeepestMm ? x : kDeepestMm) - dy;
-        push[k] = x > 0.0 ? x : 0.0;
-    }
+    contact_all(contact, rings, face_at(rings, hand).data(),
+                {.radius = r1,
+                 .shaft = shaft,
+                 .sign = sign,
+                 .hand = reach,
+                 .steady = reach - sign * dot(hand.wobble_mm, hand.in_clay),
+                 .ex = sign * hand.in_clay.x,
+                 .ez = sign * hand.in_clay.y,
+                 .yield = parameters.yield_depth_mm});
 
     add_residuals(contact, rings, hand, sign);
 
-    double deepest = -1e9;
-    for (int k = 0; k < n; ++k)
-        deepest = depth[k] > deepest ? depth[k] : deepest;
-    contact.deepest_mm = deepest;
+    contact.deepest_mm = largest_of(contact.depth_mm.data(), n, -1e9);
+    contact.touched = positive_part(contact.depth_mm.data(), n);
+    contact.pushed = positive_part(contact.push_mm.data(), n);
     if (inside) {
         const int k = std::clamp(contact.nearest - first, 0, n - 1);
-        contact.far_depth_mm = half[k] - hand.distance_mm - inner[k];
+        contact.far_depth_mm =
+            contact.half_width_mm[Rings::at(k)] - hand.distance_mm - rings.inner_mm[Rings::at(first + k)];
     }
 }
 

@@ -18,14 +18,17 @@ struct Contact {
     explicit Contact(int capacity);
 
     Rings::Range range;
+    Rings::Range touched;               // the entries that hold every depth above 0
+    Rings::Range pushed;                // the entries that hold every push above 0
     std::vector<double> offset_mm;      // y_i - y of the hand
     std::vector<double> half_width_mm;  // rc
     std::vector<double> depth_mm;       // d, depth of the hand in the face: the felt depth
     std::vector<double> push_mm;      // x, mean hand against mean circle, beyond the yield: the flowing depth
     std::vector<double> residual_mm;  // w at the hand; set only if has_rough_rows
-    std::vector<double> field;        // the part of x that moves the wall as a whole
-    std::vector<double> met;          // fraction of the push that the other hand opposes, 0 to 1
-    std::vector<double> held;         // contact of the other hand with the opposite face, 0 to 1
+    // For the entries of `pushed`:
+    std::vector<double> field;  // the part of x that moves the wall as a whole
+    std::vector<double> met;    // fraction of the push that the other hand opposes, 0 to 1
+    std::vector<double> held;   // contact of the other hand with the opposite face, 0 to 1
     // For the wall field; entry k of the field's own range: y and R for the slope, steps of the two faces.
     std::vector<float> place_mm;
     std::vector<float> mean_mm;

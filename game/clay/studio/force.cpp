@@ -31,7 +31,7 @@ double length_of(const dvec3& v) {
 dvec2 pushed_direction(const Contact& contact, const Hand& hand) {
     double outward = 0.0;
     double up = 0.0;
-    for (int k = 0; k < contact.range.size(); ++k) {
+    for (int k = contact.touched.first; k < contact.touched.end; ++k) {
         const double d = contact.depth_mm[Rings::at(k)];
         if (!(d > 0.0)) continue;
         outward += d * contact.half_width_mm[Rings::at(k)];
@@ -82,7 +82,7 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
         lever_mm = hand.side == Side::kIn ? std::max(rings.inner_mm[at], 1.0) : rings.outer_mm[at];
         int first = contact.range.size();
         int last = 0;
-        for (int k = 0; k < contact.range.size(); ++k) {
+        for (int k = contact.touched.first; k < contact.touched.end; ++k) {
             if (!(contact.depth_mm[Rings::at(k)] > 0.0)) continue;
             ++felt.forces.contacts;
             first = std::min(first, k);

@@ -3,6 +3,7 @@
 // pass goes up and lets the wall slump. Haptic thread; no allocation. Units: mm, s, kPa, rad, N mm.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "game/clay/studio/moves.h"
@@ -45,7 +46,11 @@ struct Stress {
     [[nodiscard]] double axial_kpa() const { return weight_kpa - bending_kpa; }
     [[nodiscard]] double hoop_kpa() const { return spin_kpa + slope_kpa; }
     // sqrt(sz^2 + sth^2 - sz sth + 3 tau^2), after von Mises.
-    [[nodiscard]] double equivalent_kpa() const;
+    [[nodiscard]] double equivalent_kpa() const {
+        const double sz = axial_kpa();
+        const double sth = hoop_kpa();
+        return std::sqrt(sz * sz + sth * sth - sz * sth + 3.0 * twist_kpa * twist_kpa);
+    }
     [[nodiscard]] Cause cause() const;  // the largest stress
 };
 

@@ -117,18 +117,47 @@ template <bool kInside>
 
 ONGGI_WIDE_VECTORS void push_all(Rings& rings, Contact& contact, bool inside, const PushFractions& with,
                                  const Gate& gate) {
-    const std::ptrdiff_t first = contact.range.first;
+    const std::ptrdiff_t from = contact.pushed.first;
+    const std::ptrdiff_t first = contact.range.first + from;
     double* const outer = rings.outer_mm.data() + first;
     double* const inner = rings.inner_mm.data() + first;
     double* const height = rings.height_mm.data() + first;
+    double* const field = contact.field.data() + from;
     const double* const volume = rings.volume_mm3.data() + first;
-    const int n = contact.range.size();
+    const double* const offset = contact.offset_mm.data() + from;
+    const double* const push = contact.push_mm.data() + from;
+    const double* const met = contact.met.data() + from;
+    const double* const held = contact.held.data() + from;
+    const int n = contact.pushed.size();
     if (inside)
-        push_each<true>(outer, inner, height, contact.field.data(), volume, contact.offset_mm.data(),
-                        contact.push_mm.data(), contact.met.data(), contact.held.data(), n, with, gate);
+        push_each<true>(outer, inner, height, field, volume, offset, push, met, held, n, with, gate);
     else
-        push_each<false>(outer, inner, height, contact.field.data(), volume, contact.offset_mm.data(),
-                         contact.push_mm.data(), contact.met.data(), contact.held.data(), n, with, gate);
+        push_each<false>(outer, inner, height, field, volume, offset, push, met, held, n, with, gate);
+}
+
+[[gnu::always_inline]] inline void back_each(const double* __restrict__ far,
+                                             const double* __restrict__ offset,
+                                             const double* __restrict__ push, double* __restrict__ met,
+                                             double* __restrict__ held, int n, const Hand& other,
+                                             double apart, double yield) {
+    const Hand backs = other;
+    for (int k = 0; k < n; ++k) {
+        const Backing backing = backing_of(backs, far[k], offset[k] + apart);
+        double back = backing.depth_mm - yield;
+        back = back > 0.0 ? back : 0.0;
+        back = back < push[k] ? back : push[k];
+        held[k] = backing.held;
+        met[k] = back / (push[k] > kLeastPushMm ? push[k] : kLeastPushMm);
+    }
+}
+
+// far: the opposite face of the contact's rings. apart: by how much the other hand's middle lies lower.
+ONGGI_WIDE_VECTORS void back_all(Contact& contact, const Hand& other, const double* far, double apart,
+                                 double yield) {
+    const std::ptrdiff_t from = contact.pushed.first;
+    back_each(far + from, contact.offset_mm.data() + from, contact.push_mm.data() + from,
+              contact.met.data() + from, contact.held.data() + from, contact.pushed.size(), other, apart,
+              yield);
 }
 
 }  // namespace
@@ -138,25 +167,13 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
     const bool inside = hand.side == Side::kIn;
     const int first = contact.range.first;
     const int n = contact.range.size();
-    double* const met = contact.met.data();
-    double* const held = contact.held.data();
-    std::fill_n(met, n, 0.0);
-    std::fill_n(held, n, 0.0);
+    const Rings::Range pushed = contact.pushed;
+    std::fill_n(contact.met.begin() + pushed.first, pushed.size(), 0.0);
+    std::fill_n(contact.held.begin() + pushed.first, pushed.size(), 0.0);
     if (other != nullptr) {
         // The common part of both pushes squeezes the wall; the excess of one moves it.
         const double* const far = face_at(rings, *other).data() + first;
-        const double apart = contact.height_mm - other->position_mm.y;
-        const double yield = parameters.yield_depth_mm;
-        const Hand backs = *other;
-        for (int k = 0; k < n; ++k) {
-            const Backing backing = backing_of(backs, far[k], contact.offset_mm[at(k)] + apart);
-            const double push = contact.push_mm[at(k)];
-            double back = backing.depth_mm - yield;
-            back = back > 0.0 ? back : 0.0;
-            back = back < push ? back : push;
-            held[k] = backing.held;
-            met[k] = back / (push > kLeastPushMm ? push : kLeastPushMm);
-        }
+        back_all(contact, *other, far, contact.height_mm - other->position_mm.y, parameters.yield_depth_mm);
     }
 
     const PushFractions fractions{fraction,

@@ -152,6 +152,15 @@ Rings::Range Rings::rings_between(double low_mm, double high_mm) const {
     return {first, std::max(first, end)};
 }
 
+void Rings::centres(Range range, double* out) const {
+    for (int i = range.first; i < range.end;) {
+        const double base = base_mm[at(i / kBlockRings)];
+        const int end = std::min(range.end, (i / kBlockRings + 1) * kBlockRings);
+        for (; i < end; ++i)
+            out[i - range.first] = centre_above(base, i);
+    }
+}
+
 void Rings::centres_from(double from_mm, Range range, double* out) const {
     for (int i = range.first; i < range.end;) {
         const double base = base_mm[at(i / kBlockRings)] - from_mm;

@@ -91,7 +91,7 @@ struct Rings {
     [[nodiscard]] bool is_hollow(int i) const { return inner_mm[at(i)] > 0.0; }
     [[nodiscard]] double wall_mm(int i) const { return outer_mm[at(i)] - inner_mm[at(i)]; }
     [[nodiscard]] double bottom_mm(int i) const { return base_mm[at(i / kBlockRings)] + rise_mm[at(i)]; }
-    [[nodiscard]] double centre_mm(int i) const { return bottom_mm(i) + 0.5 * height_mm[at(i)]; }
+    [[nodiscard]] double centre_mm(int i) const { return centre_above(base_mm[at(i / kBlockRings)], i); }
     [[nodiscard]] double top_mm() const { return top_; }
     // Height of the floor inside, where the hollow begins; the top for a solid lump.
     [[nodiscard]] double floor_mm() const { return first_hollow < count ? bottom_mm(first_hollow) : top_; }
@@ -112,7 +112,9 @@ struct Rings {
         [[nodiscard]] int size() const { return end - first; }
     };
     [[nodiscard]] Range rings_between(double low_mm, double high_mm) const;
-    // Writes centre_mm(i) - from_mm for the rings of the range.
+    // Writes centre_mm(i) for the rings of the range.
+    void centres(Range range, double* out) const;
+    // Writes centre_mm(i) - from_mm for the rings of the range, rounded otherwise.
     void centres_from(double from_mm, Range range, double* out) const;
 
     // Updates the places after the heights of [first, end) changed.
@@ -135,6 +137,9 @@ struct Rings {
     static std::size_t at(int i) { return studio::at(i); }
 
   private:
+    [[nodiscard]] double centre_above(double base, int i) const {
+        return base + rise_mm[at(i)] + 0.5 * height_mm[at(i)];
+    }
     void shift(int from, int to);
 
     double top_ = 0.0;

@@ -29,7 +29,7 @@ void centre_rings(Rings& rings, const Contact& contact, const Hand& hand, double
     const auto bz = static_cast<float>(fraction * hand.wobble_mm.y);
     float* const cx = rings.centre_x_mm.data() + contact.range.first;
     float* const cz = rings.centre_z_mm.data() + contact.range.first;
-    for (int k = 0; k < contact.range.size(); ++k) {
+    for (int k = contact.touched.first; k < contact.touched.end; ++k) {
         const bool held = contact.depth_mm[at(k)] > yield;
         cx[k] = held ? cx[k] * keep + bx : cx[k];
         cz[k] = held ? cz[k] * keep + bz : cz[k];

@@ -86,7 +86,7 @@ void refresh_ring(Rings& rings, int i, const WaterPace& pace) {
     // Face area per volume: 2/t for a wall; 2/ro for solid clay, which has only its outer face.
     const double faces = rings.is_hollow(i) ? 2.0 / rings.wall_mm(i) : 2.0 / rings.outer_mm[at];
     const double film = static_cast<double>(rings.film[at]);
-    const double soaked = film * relaxed_fraction(pace.elapsed_s / pace.film_time_s);
+    const double soaked = film > 0.0 ? film * relaxed_fraction(pace.elapsed_s / pace.film_time_s) : 0.0;
     rings.film[at] = static_cast<float>(film - soaked);
     // A hand wets only one face.
     const double gained = 0.5 * soaked * kFilmGPerMm2;

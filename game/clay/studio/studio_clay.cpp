@@ -173,6 +173,7 @@ void find_grip_contact(Contact& contact, const Rings& rings, double y_mm, double
                        double print_mm = kPrintMm) {
     contact.height_mm = std::clamp(y_mm, 0.0, rings.top_mm());
     contact.range = rings.rings_between(contact.height_mm - print_mm, contact.height_mm + print_mm);
+    contact.touched = {0, contact.range.size()};
     const double per_mm = 1.0 / print_mm;
     contact.nearest = rings.ring_at(contact.height_mm);
     contact.floor_depth_mm = 0.0;

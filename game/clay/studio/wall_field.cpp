@@ -85,6 +85,31 @@ struct FieldFractions {
     }
 }
 
+// y - y* and R of the rings of one block; base: the block's own, less y*.
+[[gnu::always_inline]] inline void places_each(const double* __restrict__ rise,
+                                               const double* __restrict__ height,
+                                               const double* __restrict__ outer,
+                                               const double* __restrict__ inner, float* __restrict__ place,
+                                               float* __restrict__ mean, int n, double base) {
+    for (int k = 0; k < n; ++k) {
+        place[k] = static_cast<float>(base + (rise[k] + 0.5 * height[k]));
+        mean[k] = static_cast<float>(0.5 * (outer[k] + inner[k]));
+    }
+}
+
+ONGGI_WIDE_VECTORS void find_places(const Rings& rings, const Rings::Range& range, double middle,
+                                    float* place, float* mean) {
+    for (int i = range.first; i < range.end;) {
+        const int block = i / kBlockRings;
+        const int n = std::min(range.end, (block + 1) * kBlockRings) - i;
+        places_each(rings.rise_mm.data() + i, rings.height_mm.data() + i, rings.outer_mm.data() + i,
+                    rings.inner_mm.data() + i, place, mean, n, rings.base_mm[at(block)] - middle);
+        place += n;
+        mean += n;
+        i += n;
+    }
+}
+
 ONGGI_WIDE_VECTORS void move_each(Rings& rings, Contact& contact, const Rings::Range& range,
                                   const FieldFractions& with, const Gate& gate) {
     double* const outer = rings.outer_mm.data() + range.first;
@@ -98,7 +123,37 @@ ONGGI_WIDE_VECTORS void move_each(Rings& rings, Contact& contact, const Rings::R
                     range.size(), gate);
 }
 
+// dR/dy between two rings. radii: the sum of both faces' radii.
+[[gnu::always_inline]] inline double slope_between(double low_radii, double high_radii, double rise) {
+    const double slope = 0.5 * (high_radii - low_radii) / rise;
+    return slope < -kSteepest ? -kSteepest : slope > kSteepest ? kSteepest : slope;
+}
+
+[[gnu::always_inline]] inline void slopes_each(const double* __restrict__ outer,
+                                               const double* __restrict__ inner,
+                                               const double* __restrict__ centre, double* __restrict__ out,
+                                               int n) {
+    for (int k = 0; k < n; ++k) {
+        const int low = k;
+        const int high = k + 2 * kSlopeRings;
+        const double slope =
+            slope_between(outer[low] + inner[low], outer[high] + inner[high], centre[high] - centre[low]);
+        const double one_kind = inner[low] < inner[high] ? inner[low] : inner[high];
+        out[k] = one_kind > 0.0 ? slope : 0.0;
+    }
+}
+
+ONGGI_WIDE_VECTORS void slopes_all(const Rings& rings, const Rings::Range& range, const double* centre,
+                                   double* out) {
+    const int low = range.first - kSlopeRings;
+    slopes_each(rings.outer_mm.data() + low, rings.inner_mm.data() + low, centre + low, out, range.size());
+}
+
 }  // namespace
+
+void slopes_between(const Rings& rings, Rings::Range range, const double* centre, double* out) noexcept {
+    if (range.size() > 0) slopes_all(rings, range, centre, out);
+}
 
 double wall_slope(const Rings& rings, int i) noexcept {
     int low = i;
@@ -109,21 +164,19 @@ double wall_slope(const Rings& rings, int i) noexcept {
     if (lowest < i) low = lowest;
     if (highest > i) high = highest;
     if (low == high || rings.is_hollow(low) != hollow || rings.is_hollow(high) != hollow) return 0.0;
-    const double rise = rings.centre_mm(high) - rings.centre_mm(low);
     // The slope of solid clay is that of its outer face; the middle between face and axis has half that
     // slope.
-    const double run = 0.5 * ((rings.outer_mm[at(high)] + rings.inner_mm[at(high)]) -
-                              (rings.outer_mm[at(low)] + rings.inner_mm[at(low)]));
-    return std::clamp(run / rise, -kSteepest, kSteepest);
+    return slope_between(rings.outer_mm[at(low)] + rings.inner_mm[at(low)],
+                         rings.outer_mm[at(high)] + rings.inner_mm[at(high)],
+                         rings.centre_mm(high) - rings.centre_mm(low));
 }
 
 Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fraction, double dt_s,
                   const StudioParameters& parameters) noexcept {
-    const int n = contact.range.size();
     double largest = 0.0;
     double weight_sum = 0.0;
     double moment = 0.0;
-    for (int k = 0; k < n; ++k) {
+    for (int k = contact.pushed.first; k < contact.pushed.end; ++k) {
         const double field = contact.field[at(k)];
         if (!(field > 0.0)) continue;
         largest = std::max(largest, field);
@@ -155,15 +208,7 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fract
     const Rings::Range seen{std::max(range.first - kSlopeRings, rings.first_hollow),
                             std::min(range.end + kSlopeRings, rings.count)};
     const int before = kSlopeRings - (range.first - seen.first);
-    for (int i = seen.first; i < seen.end;) {
-        const double base = rings.base_mm[at(i / kBlockRings)] - middle;
-        const int end = std::min(seen.end, (i / kBlockRings + 1) * kBlockRings);
-        for (; i < end; ++i) {
-            const int k = before + i - seen.first;
-            place[k] = static_cast<float>(base + (rings.rise_mm[at(i)] + 0.5 * rings.height_mm[at(i)]));
-            mean[k] = static_cast<float>(0.5 * (rings.outer_mm[at(i)] + rings.inner_mm[at(i)]));
-        }
-    }
+    find_places(rings, seen, middle, place + before, mean + before);
     for (int k = 0; k < before; ++k) {
         place[k] = place[before];
         mean[k] = mean[before];

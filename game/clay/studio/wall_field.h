@@ -22,5 +22,8 @@ Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fract
 
 // dR/dy at ring i over six rings to either side of the same kind (solid or hollow), clamped to +-3.
 double wall_slope(const Rings& rings, int i) noexcept;
+// The same for hollow rings; those of a range that has six rings more on either side, all above the floor.
+// Solid rings get 0 or any slope. centre_mm[i]: of ring i, for all of these rings.
+void slopes_between(const Rings& rings, Rings::Range range, const double* centre_mm, double* out) noexcept;
 
 }  // namespace onggi::clay::studio

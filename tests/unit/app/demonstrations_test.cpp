@@ -156,14 +156,11 @@ class Wheel : public testing::Test {
     }
     void tick(std::uint64_t ticks) {
         haptic::TickRecord record;
-        haptic::BlockHash hash;
         for (std::uint64_t k = 0; k < ticks; ++k) {
             ASSERT_TRUE(work_->tick(period_));
             ++period_.index;
             ++period_.tick;
             while (work_->take_record(record)) {
-            }
-            while (work_->take_hash(hash)) {
             }
         }
     }

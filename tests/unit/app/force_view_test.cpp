@@ -123,9 +123,6 @@ void expect_of_snapshots(haptic::HapticState start, haptic::ToolDevices devices,
         haptic::TickRecord record;
         while (work.take_record(record)) {
         }
-        haptic::BlockHash hash;
-        while (work.take_hash(hash)) {
-        }
         const haptic::Snapshot& snapshot = work.newest_snapshot();
         ASSERT_EQ(snapshot.periods, static_cast<std::uint64_t>(k) + 1U);
         look(snapshot, touching);

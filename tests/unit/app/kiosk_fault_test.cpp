@@ -149,9 +149,6 @@ class MouseAndStick {
             haptic::TickRecord record;
             while (work_->take_record(record)) {
             }
-            haptic::BlockHash hash;
-            while (work_->take_hash(hash)) {
-            }
             if (period_.index % 20 != 0) continue;
             const bool rested = advice.force_rests;
             advice = fault_.look(work_->newest_snapshot().fault, 0.001 * static_cast<double>(period_.index));

@@ -76,17 +76,6 @@ TEST_F(HapticTick, LimitsTheDevicesForceButNotTheRecordedOne) {
     EXPECT_NEAR(glm::length(later.limited_force_n), 3.3, 1e-9);
 }
 
-TEST_F(HapticTick, HashesEveryThousandTicks) {
-    const HapticParameters parameters;
-    for (std::uint64_t k = 1; k <= 3500; ++k) {
-        const TickResult result = tick(state, test::scripted_tool(k), parameters);
-        ASSERT_EQ(result.hash_due, k % 1000 == 0) << k;
-        if (result.hash_due) {
-            ASSERT_EQ(result.state_hash, state.hash());
-        }
-    }
-}
-
 TEST_F(HapticTick, IsTheSameForTheSameInput) {
     HapticState one;
     HapticState other;

@@ -106,6 +106,18 @@ TEST_F(DeviceGroupTest, CountsSignsOfLifeOfEveryHandButTheFirst) {
     EXPECT_EQ(group_->signs_of_life(), 10U);
 }
 
+TEST_F(DeviceGroupTest, TheFirstIsAloneWhileNoOtherDeviceIsPluggedIn) {
+    after(0.1);
+    EXPECT_FALSE(group_->signs().is_alone);
+    stick_.is_here = false;
+    after(kStep);
+    EXPECT_TRUE(group_->signs().is_alone);
+    pad_.is_here = true;
+    pad_.sample.position_mm = {1e9, 0.0, 0.0};
+    after(kStep);
+    EXPECT_FALSE(group_->signs().is_alone) << "a device that reports nonsense may have motors";
+}
+
 TEST_F(DeviceGroupTest, TellsAHandThatHoldsAStickStillFromASignOfLife) {
     group_->add_pedal(std::make_unique<PuppetDevice>(pedal_));
     stick_.is_moving = true;

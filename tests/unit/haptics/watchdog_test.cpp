@@ -71,6 +71,24 @@ TEST_F(WatchdogTest, WaitsForALoopThatIsSlowByDesign) {
     EXPECT_EQ(device.times, 0);
 }
 
+TEST_F(WatchdogTest, LooksLessOftenAtALoopThatRestsAndAtOnceAgainAtOneThatDoesNot) {
+    Watchdog watchdog(device, {});
+    watchdog.rest(true);
+    std::int64_t now_ns = 0;
+    for (int k = 0; k < 1000; ++k) {
+        if (k % 2 == 0) watchdog.beat();  // late by one look
+        EXPECT_EQ(watchdog.round(now_ns), Watchdog::kRestNs);
+        now_ns += Watchdog::kRestNs;
+    }
+    EXPECT_EQ(device.times, 0);
+    watchdog.rest(false);
+    watchdog.beat();
+    EXPECT_EQ(watchdog.round(now_ns), kMs);
+    for (int k = 0; k < 6; ++k)
+        (void)watchdog.round(now_ns += kMs);
+    EXPECT_EQ(device.times, 1);
+}
+
 TEST_F(WatchdogTest, WaitsForTheFirstBeatAndTheFirstPicture) {
     Watchdog watchdog(device, {});
     for (int k = 0; k < 10'000; ++k)

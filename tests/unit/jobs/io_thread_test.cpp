@@ -55,6 +55,17 @@ TEST(IoThread, IsStoppedOutOfALongRest) {
     EXPECT_EQ(work.finishes, 1);
 }
 
+TEST(IoThread, IsWokenOutOfALongRest) {
+    Counting work(3600'000'000'000);
+    IoThread thread;
+    ASSERT_TRUE(thread.start(work, "test"));
+    ASSERT_TRUE(test::comes_true([&] { return work.rounds >= 1; }));
+    for (int rounds = 2; rounds < 10; ++rounds) {
+        thread.wake();
+        ASSERT_TRUE(test::comes_true([&] { return work.rounds >= rounds; }));
+    }
+}
+
 TEST(IoThread, StartsAgain) {
     Counting work(0);
     IoThread thread;

@@ -114,6 +114,37 @@ TEST_F(APacer, SkipsAndCountsThePeriodsThatWentByAndNeverReplaysThem) {
     EXPECT_EQ(next.start_ns, next.deadline_ns);
 }
 
+TEST_F(APacer, GathersPeriodsAndRunsThemOneAfterTheOther) {
+    const std::int64_t start_ns = clock.now_ns();
+    pacer.gather(4);
+    for (int k = 0; k < 400; ++k) {
+        const Period period = do_one(pacer, clock, 10 * kUs);
+        EXPECT_EQ(period.index, static_cast<std::uint64_t>(k));
+        EXPECT_EQ(period.tick, static_cast<std::uint64_t>(k));
+        EXPECT_EQ(period.start_ns, start_ns + (k / 4 * 4 + 4) * kMs + k % 4 * 10 * kUs);
+        EXPECT_EQ(period.skipped, 0U);
+        EXPECT_DOUBLE_EQ(period.dt_s, 0.001);
+    }
+    EXPECT_EQ(clock.sleeps, 100);
+    EXPECT_EQ(pacer.stats().missed_deadlines(), 0U);
+    pacer.gather(1);
+    EXPECT_EQ(do_one(pacer, clock, 10 * kUs).start_ns, start_ns + 401 * kMs) << "at once at its full rate";
+}
+
+TEST_F(ARestlessPacer, SkipsWhatAGatheringLoopMissed) {
+    pacer.gather(4);
+    for (int k = 0; k < 3; ++k)
+        static_cast<void>(do_one(pacer, clock, 10 * kUs));
+    static_cast<void>(do_one(pacer, clock, 6500 * kUs));  // 2 periods beyond the next 4
+    const Period late = pacer.wait_for_next();
+    EXPECT_EQ(late.index, 6U);
+    EXPECT_EQ(late.skipped, 2U);
+    EXPECT_DOUBLE_EQ(late.dt_s, 0.002);
+    pacer.finish(late);
+    EXPECT_EQ(do_one(pacer, clock, 0).index, 7U);
+    EXPECT_EQ(pacer.stats().skipped_periods, 2U);
+}
+
 TEST_F(APacer, ClampsTimeToTwoTicksHoweverManyWereSkipped) {
     do_one(pacer, clock, 10 * kUs);
     clock.oversleep_once(1 * kMs);

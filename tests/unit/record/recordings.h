@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "game/record/packed_block.h"
 #include "game/record/session.h"
 #include "game/record/session_writer.h"
 #include "game/tool/tool.h"
@@ -102,6 +103,34 @@ inline std::string studio_session_bytes(std::uint64_t ticks) {
     EXPECT_TRUE(writer->prepare(hash_after(ticks - 1)));
     EXPECT_TRUE(writer->commit());
     return test::content_of(folder / "s.onggi");
+}
+
+// The bytes of that session in the version before blocks were packed, without the checks of its forces.
+inline std::string unpacked(std::string_view packed) {
+    const std::size_t blocks_at = test::kSessionHeaderBytes + test::get_at<std::uint64_t>(packed, 40);
+    std::string bytes(packed.substr(0, blocks_at));
+    test::put_at<std::uint16_t>(bytes, 10, 0);
+    test::mend_session_header(bytes);
+    for (std::size_t at = blocks_at; at < packed.size();) {
+        const std::size_t block_at = bytes.size();
+        bytes += packed.substr(at, test::kSessionBlockHeadBytes);
+        at += test::kSessionBlockHeadBytes;
+        if (bytes.substr(block_at, 4) == "TCKP") {
+            const auto record_bytes = test::get_at<std::uint32_t>(bytes, block_at + 4);
+            const auto ticks = test::get_at<std::uint32_t>(bytes, block_at + 16);
+            const auto packed_bytes = test::get_at<std::uint32_t>(bytes, block_at + 32);
+            const auto body = unpack_block(bytes_of(packed.substr(at, packed_bytes)), record_bytes, ticks);
+            if (!body) return {};
+            const std::string_view text(reinterpret_cast<const char*>(body->data()), body->size());
+            bytes.replace(block_at, 4, "TCKS");
+            test::put_at<std::uint32_t>(bytes, block_at + 32, 0);
+            bytes += text.substr(0, record_bytes);
+            bytes += std::string(std::size_t{4} * ticks, '\0');
+            at += packed_bytes;
+        }
+        test::mend_session_block(bytes, block_at);
+    }
+    return bytes;
 }
 
 constexpr const char* kSupplement = "what was done to it later";

@@ -41,7 +41,7 @@ TEST(RejectsSession, OfAnotherKind) {
 }
 
 TEST(RejectsSession, OfTheVersionsInWhichNoHandCouldLetGo) {
-    const std::string expected = "s.onggi: byte 8: expected a session of version 2.1, found 1.";
+    const std::string expected = "s.onggi: byte 8: expected a session of version 2.2, found 1.";
     const std::string reason = ", recorded before hands could let go: record it again";
     std::string bytes = with_header_field<std::uint16_t>(8, 1);
     EXPECT_EQ(refusal(bytes), expected + "0" + reason);
@@ -52,8 +52,8 @@ TEST(RejectsSession, OfTheVersionsInWhichNoHandCouldLetGo) {
 
 TEST(RejectsSession, OfANewerOrUnknownVersion) {
     EXPECT_EQ(refusal(with_header_field<std::uint16_t>(8, 3)),
-              "s.onggi: byte 8: expected a session of version 2.1, found 3.0, written by a newer program");
-    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 2)).find("found 2.2, written by a newer program"),
+              "s.onggi: byte 8: expected a session of version 2.2, found 3.0, written by a newer program");
+    EXPECT_NE(refusal(with_header_field<std::uint16_t>(10, 3)).find("found 2.3, written by a newer program"),
               std::string::npos);
     EXPECT_NE(refusal(with_header_field<std::uint16_t>(8, 0)).find("byte 8: expected a session of version"),
               std::string::npos);
@@ -199,7 +199,7 @@ TEST(RejectsSession, WithAnEndThatCountsOtherwise) {
 
 TEST(RejectsSession, WithHandsThatNoToolWouldBe) {
     const auto refused = [](std::size_t offset, auto number) {
-        std::string bytes = studio_session_bytes(700);
+        std::string bytes = unpacked(studio_session_bytes(700));
         // After the block's head and the record's kind: places, settings, choices.
         test::put_at(bytes, first_block_at() + test::kSessionBlockHeadBytes + 1 + offset, number);
         test::mend_session_block(bytes, first_block_at());
@@ -221,10 +221,37 @@ TEST(RejectsSession, WithHandsThatNoToolWouldBe) {
 }
 
 TEST(RejectsSession, OfThePapersClayWithHandsItCannotHear) {
-    std::string bytes = studio_session_bytes(700);
+    std::string bytes = unpacked(studio_session_bytes(700));
     test::put_at<std::uint32_t>(bytes, 36, 1);
     test::mend_session_header(bytes);
     EXPECT_NE(refusal(bytes).find("a tool record to open the block"), std::string::npos) << refusal(bytes);
+}
+
+TEST(RejectsSession, WithABlockThatIsNotPackedSo) {
+    const std::string whole = studio_session_bytes(1700);
+    const std::size_t body_at = first_block_at() + test::kSessionBlockHeadBytes;
+    const auto refused = [&](const auto& change) {
+        std::string bytes = whole;
+        change(bytes);
+        test::mend_session_block(bytes, first_block_at());
+        return refusal(bytes);
+    };
+    const auto packed_bytes = test::get_at<std::uint32_t>(whole, first_block_at() + 32);
+    const auto record_bytes = test::get_at<std::uint32_t>(whole, first_block_at() + 4);
+    for (const std::string& line :
+         {refused([&](std::string& bytes) { bytes[body_at] ^= 0x55; }),
+          refused([&](std::string& bytes) { bytes[body_at + packed_bytes / 2] ^= 1; }),
+          refused([&](std::string& bytes) { test::put_at(bytes, first_block_at() + 4, record_bytes - 8); }),
+          refused([&](std::string& bytes) { test::put_at(bytes, first_block_at() + 4, record_bytes + 8); })})
+        EXPECT_NE(line.find(" bytes of packed records, found other bytes"), std::string::npos) << line;
+    EXPECT_NE(refused([&](std::string& bytes) {
+                  test::put_at(bytes, first_block_at() + 32, 0U);
+              }).find("1 to 226000 packed bytes, found 0"),
+              std::string::npos);
+    std::string earlier = whole;
+    test::put_at<std::uint16_t>(earlier, 10, 1);
+    test::mend_session_header(earlier);
+    EXPECT_NE(refusal(earlier).find("a block of ticks or the end"), std::string::npos) << refusal(earlier);
 }
 
 TEST(RejectsSession, WithABlockAfterOneThatIsNotFull) {

@@ -41,7 +41,7 @@ TEST(Session, GivesBackEveryTick) {
             ASSERT_EQ(tool, tool_at(tick)) << tick;
             // -0.0 equals 0.0, but it is not the same input.
             ASSERT_TRUE(std::signbit(tool.position_mm.y)) << tick;
-            ASSERT_EQ(session.force_check_at(tick), force_check(force_at(tick))) << tick;
+            ASSERT_TRUE(session.has_force_at(tick, force_at(tick))) << tick;
         }
     }
 }
@@ -277,12 +277,38 @@ TEST(StudioSession, EndsAToolWithWhetherItIsGuidedAndWhetherItPresses) {
         ASSERT_TRUE(writer->add_tick({.guided = guided, .pressing = pressing}, dvec3(0.0)));
         ASSERT_TRUE(writer->prepare(0));
         ASSERT_TRUE(writer->commit());
-        const std::string bytes = test::content_of(folder / "s.onggi");
+        const std::string bytes = unpacked(test::content_of(folder / "s.onggi"));
         const std::size_t record_at = test::kSessionHeaderBytes + test::kSessionBlockHeadBytes;
         EXPECT_EQ(bytes.at(record_at), 4);
         EXPECT_EQ(bytes.at(record_at + 1 + 110), guided ? 1 : 0);
         EXPECT_EQ(bytes.at(record_at + 1 + 111), pressing ? 1 : 0);
         EXPECT_EQ(bytes.size(), record_at + 1 + 112 + 4 + test::kSessionBlockHeadBytes);
+    }
+}
+
+TEST(StudioSession, IsTheSamePackedAndInTheVersionBefore) {
+    const std::string packed = studio_session_bytes(4321);
+    const std::string plain = unpacked(packed);
+    EXPECT_EQ(packed[10], 2);
+    EXPECT_LT(3 * packed.size(), plain.size());
+    const Session session = session_of(packed);
+    const Session before = session_of(plain);
+    ASSERT_EQ(session.blocks().size(), before.blocks().size());
+    EXPECT_TRUE(session.is_complete());
+    SessionCursor cursor(session);
+    SessionCursor cursor_before(before);
+    int taken_for_it = 0;
+    for (std::uint64_t tick = 0; tick < 4321; ++tick) {
+        ASSERT_EQ(cursor.at(tick), cursor_before.at(tick)) << tick;
+        ASSERT_TRUE(session.has_force_at(tick, force_at(tick))) << tick;
+        taken_for_it += session.has_force_at(tick, force_at(tick) + dvec3(0.0, 1.0, 0.0)) ? 1 : 0;
+    }
+    EXPECT_LE(taken_for_it, 1) << "one in 65536";
+    for (std::size_t size = first_block_at(); size < packed.size(); size += 101) {
+        const auto cut = parse_session(packed.substr(0, size), "s.onggi");
+        ASSERT_TRUE(cut) << cut.error().message;
+        ASSERT_FALSE(cut->is_complete());
+        ASSERT_EQ(cut->tick_count() % 1000, cut->tick_count() > 4000 ? 321U : 0U);
     }
 }
 

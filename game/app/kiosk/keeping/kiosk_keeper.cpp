@@ -25,7 +25,7 @@
 namespace onggi::app {
 namespace {
 
-constexpr std::int64_t kLookEveryNs = 4'000'000;
+constexpr std::int64_t kLookEveryNs = 20'000'000;  // at the loop's records; a task wakes the keeper
 constexpr double kBeforeCollapseS = 2.0;
 constexpr int kMostRecordsARound = 4000;
 constexpr int kPortraitPx = 1024;
@@ -75,6 +75,11 @@ std::int64_t KioskKeeper::round(std::int64_t now_ns) noexcept {
     return more || works ? 0 : kLookEveryNs;
 }
 
+void KioskKeeper::ask(std::function<void()> task) {
+    tasks_.post(std::move(task));
+    thread_.wake();
+}
+
 void KioskKeeper::finish() noexcept {
     // Takes the visitor's last records from the ring.
     while (follow()) {
@@ -86,9 +91,6 @@ void KioskKeeper::finish() noexcept {
 
 // Returns true if more records are waiting.
 bool KioskKeeper::follow() {
-    haptic::BlockHash hash;
-    while (job_.take_hash(hash)) {
-    }
     haptic::TickRecord record;
     for (int count = 0; count < kMostRecordsARound; ++count) {
         if (!job_.take_record(record)) return false;
@@ -173,7 +175,7 @@ void KioskKeeper::end_journal() {
 }
 
 void KioskKeeper::resume(std::uint64_t run) {
-    tasks_.post([this, run] {
+    ask([this, run] {
         if (!interrupted_session_ || !is_worked_out_ ||
             !job_.put(std::make_unique<haptic::HapticState>(interrupted_session_->history().state()), run))
             return answer({.what = KeeperAnswer::NotPut{}});
@@ -195,7 +197,7 @@ void KioskKeeper::put_state_at(std::uint64_t tick) {
 }
 
 void KioskKeeper::go_before(std::uint64_t tick) {
-    tasks_.post([this, tick] {
+    ask([this, tick] {
         const auto back = static_cast<std::uint64_t>(kBeforeCollapseS * parameters_.rate_hz());
         const std::uint64_t until = std::min(tick, history_.ticks());
         put_state_at(until > back ? until - back : 0);
@@ -203,7 +205,7 @@ void KioskKeeper::go_before(std::uint64_t tick) {
 }
 
 void KioskKeeper::cut_off() {
-    tasks_.post([this] {
+    ask([this] {
         give_back_memory();  // of throwing and of the view into the pot
         const clay::StudioClay* const clay = history_.state().studio();
         if (clay == nullptr) return;
@@ -215,13 +217,13 @@ void KioskKeeper::cut_off() {
 
 // Drops the decoration of a saved pot, or of a visitor who has left.
 void KioskKeeper::keep_drawing(std::vector<std::byte> drawn) {
-    tasks_.post([this, drawn = std::move(drawn)] {
+    ask([this, drawn = std::move(drawn)] {
         if (journalled_run_) complain(files::write_file_atomically(drawing_place(), drawn));
     });
 }
 
 void KioskKeeper::forget() {
-    tasks_.post([this] {
+    ask([this] {
         cut_.reset();
         end_journal();
         arriving_.reset();
@@ -231,7 +233,7 @@ void KioskKeeper::forget() {
 }
 
 void KioskKeeper::journal(std::uint64_t run) {
-    tasks_.post([this, run] {
+    ask([this, run] {
         is_put_ = false;  // if it is still on its way, the new lump overtook it
         journalled_run_ = run;
         give_back_memory();  // of the previous screens
@@ -239,37 +241,37 @@ void KioskKeeper::journal(std::uint64_t run) {
 }
 
 void KioskKeeper::drop_interrupted_session() {
-    tasks_.post([this] {
+    ask([this] {
         is_put_ = false;
         remove_interrupted_session();
     });
 }
 
 void KioskKeeper::begin_trim() {
-    tasks_.post([this] { trimmed_from_ = history_.ticks(); });
+    ask([this] { trimmed_from_ = history_.ticks(); });
 }
 
 void KioskKeeper::note(const VisitNote& visit) {
-    tasks_.post([this, visit] { complain(note_visit(statistics_, visit)); });
+    ask([this, visit] { complain(note_visit(statistics_, visit)); });
 }
 
 void KioskKeeper::note_attract_break() {
-    tasks_.post([this] { complain(app::note_attract_break(statistics_)); });
+    ask([this] { complain(app::note_attract_break(statistics_)); });
 }
 
 void KioskKeeper::note_start() {
-    tasks_.post([this] { complain(app::note_start(statistics_)); });
+    ask([this] { complain(app::note_start(statistics_)); });
 }
 
 void KioskKeeper::beat(KioskPulse pulse) {
-    tasks_.post([this, pulse = std::move(pulse)] {
+    ask([this, pulse = std::move(pulse)] {
         look_at_the_gallery();
         if (heartbeat_) complain(heartbeat_->beat(pulse, wall_clock_s()));
     });
 }
 
 void KioskKeeper::keep(HouseDefaults house) {
-    tasks_.post([this, house = std::move(house)] { complain(keep_house(statistics_, house)); });
+    ask([this, house = std::move(house)] { complain(keep_house(statistics_, house)); });
 }
 
 void KioskKeeper::complain(std::string words) {
@@ -309,11 +311,11 @@ void KioskKeeper::answer_survey() {
 }
 
 void KioskKeeper::survey() {
-    tasks_.post([this] { answer_survey(); });
+    ask([this] { answer_survey(); });
 }
 
 void KioskKeeper::remove(std::string pot) {
-    tasks_.post([this, name = std::move(pot)] {
+    ask([this, name = std::move(pot)] {
         show_wall(wall_.take(name));
         for (const KeptPot& kept : gallery_.pots()) {
             if (kept.name != name) continue;
@@ -347,19 +349,19 @@ void KioskKeeper::show_wall(const Result<void>& changed) {
 }
 
 void KioskKeeper::put_on_wall(WallPot pot) {
-    tasks_.post([this, pot = std::move(pot)] { show_wall(wall_.put(pot, today())); });
+    ask([this, pot = std::move(pot)] { show_wall(wall_.put(pot, today())); });
 }
 
 void KioskKeeper::take_off_wall(std::string pot) {
-    tasks_.post([this, pot = std::move(pot)] { show_wall(wall_.take(pot)); });
+    ask([this, pot = std::move(pot)] { show_wall(wall_.take(pot)); });
 }
 
 void KioskKeeper::clear_wall() {
-    tasks_.post([this] { show_wall(wall_.clear()); });
+    ask([this] { show_wall(wall_.clear()); });
 }
 
 void KioskKeeper::write_session(std::filesystem::path place) {
-    tasks_.post([this, place = std::move(place)] {
+    ask([this, place = std::move(place)] {
         if (!cut_ || !history_.is_whole()) return;
         if (const auto saved = history_.save(place); !saved) return complain(saved);
         answer({.what = KeeperAnswer::SessionWritten{place}});
@@ -367,7 +369,7 @@ void KioskKeeper::write_session(std::filesystem::path place) {
 }
 
 void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze, exporter::PotStory story) {
-    tasks_.post([this, shape = std::move(shape), glaze, story = std::move(story)] {
+    ask([this, shape = std::move(shape), glaze, story = std::move(story)] {
         if (!cut_ || shape == nullptr) return;
         history_.let_go_of_states();  // a fired pot cannot be undone
         give_back_memory();
@@ -447,7 +449,7 @@ void KioskKeeper::tell_all(std::vector<std::string> remarks) {
 }
 
 void KioskKeeper::undo() {
-    tasks_.post([this] {
+    ask([this] {
         if (arriving_) return;  // the clay to undo has not arrived yet
         if (const auto tick = history_.before_last_move(); tick && *tick >= trimmed_from_.value_or(0)) {
             put_state_at(*tick);
@@ -458,11 +460,11 @@ void KioskKeeper::undo() {
 }
 
 void KioskKeeper::begin_jar(std::string target) {
-    tasks_.post([this, target = std::move(target)] { complain(jar_.begin(target)); });
+    ask([this, target = std::move(target)] { complain(jar_.begin(target)); });
 }
 
 void KioskKeeper::set_aside() {
-    tasks_.post([this] {
+    ask([this] {
         if (arriving_) return answer_by(event::JarStays{});
         if (!history_.is_whole() || history_.state().studio() == nullptr)
             return answer_by(event::JarStays{}, "jar: a tick's record was lost; the bowl stays on the wheel");
@@ -477,7 +479,7 @@ void KioskKeeper::set_aside() {
 }
 
 void KioskKeeper::hold_together(double mouth_mm) {
-    tasks_.post([this, mouth_mm] {
+    ask([this, mouth_mm] {
         const clay::StudioClay* const second = history_.state().studio();
         if (!jar_.has_bowl() || !history_.is_whole() || second == nullptr || arriving_)
             return answer_by(event::JarStays{});
@@ -488,7 +490,7 @@ void KioskKeeper::hold_together(double mouth_mm) {
 }
 
 void KioskKeeper::join_bowls(const JarJoin& join) {
-    tasks_.post([this, join] {
+    ask([this, join] {
         if (!jar_.has_bowl() || !history_.is_whole() || arriving_) return answer_by(event::JarStays{});
         auto jar = jar_.join(history_, join);
         if (!jar) return answer_by(event::JarStays{}, "jar: " + jar.error().message);
@@ -503,7 +505,7 @@ void KioskKeeper::join_bowls(const JarJoin& join) {
 }
 
 void KioskKeeper::take_back(int bowl) {
-    tasks_.post([this, is_second = bowl == 2] {
+    ask([this, is_second = bowl == 2] {
         const haptic::History* const taken = jar_.to_take_back(is_second);
         if (taken == nullptr || !job_.put(std::make_unique<haptic::HapticState>(taken->state()), run_))
             return answer({.what = KeeperAnswer::NotPut{}});

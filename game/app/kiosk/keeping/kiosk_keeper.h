@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -161,6 +162,8 @@ class KioskKeeper final : private jobs::IoWork {
     void show_wall(const Result<void>& changed);
     void look_at_the_gallery();
     void answer_survey();
+    // Main thread.
+    void ask(std::function<void()> task);
     void answer(KeeperAnswer answer) { answers_.post(std::move(answer)); }
     void answer_by(const kiosk::Event& event, std::string words = {}) {
         answer({.what = event, .words = std::move(words)});

@@ -55,13 +55,20 @@ void KioskVisit::warn(const std::string& line) {
 
 void KioskVisit::dispatch(const kiosk::Event& event) {
     assert(moment_ != nullptr);
-    const auto is_idle = [this] { return visit::step_of(state_.screen).whose == visit::Whose::kNobody; };
     const bool was_idle = is_idle();
     for (const kiosk::Effect& effect : visit::advance(state_, event, now_s_, parts_.settings.rules))
         effects_.apply(effect, *moment_);
     if (is_idle() == was_idle) return;
-    static_cast<void>(parts_.job.send(is_idle() ? haptic::Command::kLetGo : haptic::Command::kTakeHold));
+    tell_whether_idle();
     if (is_idle()) input_.pointer().forget();
+}
+
+bool KioskVisit::is_idle() const {
+    return visit::step_of(state_.screen).whose == visit::Whose::kNobody;
+}
+
+void KioskVisit::tell_whether_idle() {
+    static_cast<void>(parts_.job.send(is_idle() ? haptic::Command::kLetGo : haptic::Command::kTakeHold));
 }
 
 Result<void> KioskVisit::frame(double now_s) {
@@ -69,7 +76,10 @@ Result<void> KioskVisit::frame(double now_s) {
     constexpr double kLongestFrameS = 0.1;
     const double since_last_s = std::exchange(now_s_, now_s);
     const double frame_s = now_s - since_last_s;
-    if (!std::exchange(has_begun_, true)) state_ = visit::first_state(parts_.settings.rules, now_s);
+    if (!std::exchange(has_begun_, true)) {
+        state_ = visit::first_state(parts_.settings.rules, now_s);
+        tell_whether_idle();
+    }
     const VisitMoment moment{.now_s = now_s,
                              .dt_s = std::clamp(frame_s, 0.0, kLongestFrameS),
                              .snapshot = parts_.job.newest_snapshot()};
@@ -88,9 +98,18 @@ Result<void> KioskVisit::frame(double now_s) {
     parts_.sound.hear(moment.snapshot, is_closed(), visit::kiln_burns(state_));
     scene_.aim_camera(state_, jar_.height_mm(moment.snapshot), screens_.asked(), stage_.covers());
     screens_.update(state_, moment, scene_.edges(), wheel_.finger().wire_mm());
-    const Result<void> drawn = draw(moment);
+    const Result<void> drawn = is_worth_drawing() ? draw(moment) : Result<void>{};
     moment_ = nullptr;
     return drawn;
+}
+
+// Nobody looks at the dim screen of a closed museum, so it shows ten pictures a second once it has faded.
+bool KioskVisit::is_worth_drawing() {
+    constexpr double kFadedS = 5.0;
+    constexpr double kEveryS = 0.1;
+    if (!is_closed()) open_until_s_ = now_s_;
+    if (now_s_ - open_until_s_ < kFadedS || now_s_ - drawn_s_ >= kEveryS) drawn_s_ = now_s_;
+    return drawn_s_ == now_s_;
 }
 
 KioskPulse KioskVisit::pulse() const {

@@ -45,9 +45,13 @@ class KioskVisit final : private VisitFlow {
 
   private:
     void dispatch(const kiosk::Event& event) override;
+    [[nodiscard]] bool is_idle() const;
+    // The loop gives no force while nobody is there, and may rest.
+    void tell_whether_idle();
     void say(const std::string& line) override;
     void warn(const std::string& line) override;
     Result<void> draw(const VisitMoment& moment);
+    [[nodiscard]] bool is_worth_drawing();
     void look_at_shown(const haptic::Snapshot& snapshot);
     void name_window(const kiosk::ScreenState& shown, double clay_mm);
 
@@ -66,6 +70,8 @@ class KioskVisit final : private VisitFlow {
     LogLines log_;
     const VisitMoment* moment_ = nullptr;  // of the present frame; null outside frame()
     double now_s_ = 0.0;
+    double open_until_s_ = 0.0;  // the last moment at which the museum was open or somebody was there
+    double drawn_s_ = 0.0;
     bool has_begun_ = false;  // set in the first frame, when the time is known
     std::string title_;
     std::uint64_t frames_shown_ = 0;
