@@ -1,10 +1,11 @@
-// The pot of the page, turning: a surface of revolution from its outline, one picture wrapped round it, WebGL 2.
+// The pot of the page, turning: its outline, bent by the rows of a pot that is not round, one picture wrapped round it,
+// WebGL 2.
 // The page is whole without: it shows the poster, and goes on doing so where the phone saves data or cannot draw.
 'use strict';
 
 const SEGMENTS = 128;
 const TURN_MS = 9000;
-const CAMERA = { far: 30, up: 0.16 };  // so many times the pot's size away; radians above its middle
+const CAMERA = { far: 300, up: 0.16 };  // so many times the pot's size away; radians above its middle
 
 const VERTEX = `#version 300 es
 in vec3 place; in vec3 normal; in vec3 skin;  // skin: around, down the wall, 1 inside
@@ -76,11 +77,11 @@ function ringsOf(outside, inside) {
   outside.forEach(([radius, height], i) => rings.push([radius, height, 1 - along[i] / length, 0]));
   const top = outside[outside.length - 1];
   const down = inside.length > 1 ? inside : [[Math.max(0.01, top[0] - 5), top[1]], [0.01, top[1]]];
-  // The lip, round between the walls.
+  // The lip between the walls, as high as the solid's.
   const lip = (top[0] - down[0][0]) / 2;
   for (let k = 1; lip > 0 && k < 6; k += 1) {
     const angle = (k / 6) * Math.PI;
-    rings.push([top[0] - lip + lip * Math.cos(angle), top[1] + (down[0][1] - top[1]) * (k / 6) + lip * 0.7 * Math.sin(angle), 0, 0]);
+    rings.push([top[0] - lip + lip * Math.cos(angle), top[1] + (down[0][1] - top[1]) * (k / 6), 0, 0]);
   }
   down.forEach(([radius, height]) => rings.push([Math.max(radius, 0.01), height, 0, 1]));
   const last = down[down.length - 1];
@@ -88,19 +89,56 @@ function ringsOf(outside, inside) {
   return rings;
 }
 
+/** Of a pot that is not round: rows from foot to rim, each its centre and its dents, in mm. A round one has none. */
+const rowsOf = (text) => (text ? text.split(' ').map((row) => row.split(',').map((number) => number / 20)) : []);
+
+/** The line with points between its own, so that it has one in each row of a pot that is not round. */
+function inRows(line, rows) {
+  if (rows.length === 0) return line;
+  const step = Math.max(...line.map((point) => point[1])) / (rows.length - 1);
+  return line.flatMap((to, i) => {
+    const from = line[Math.max(0, i - 1)];
+    const pieces = Math.max(1, Math.ceil(Math.abs(to[1] - from[1]) / step));
+    return Array.from({ length: pieces }, (_, k) => to.map((x, axis) => from[axis] + ((x - from[axis]) * (k + 1)) / pieces));
+  });
+}
+
+/** Gives the place of a ring's corner: [across, height, to the eye]. */
+function placeOf(rows, top) {
+  return ([radius, height], k) => {
+    const angle = (k / SEGMENTS) * 2 * Math.PI;
+    const way = [Math.cos(angle), -Math.sin(angle)];
+    if (rows.length === 0) return [radius * way[0], height, radius * way[1]];
+    const row = Math.min(1, Math.max(0, height / top)) * (rows.length - 1);
+    const low = Math.floor(row);
+    const at = (i) => {
+      const [one, other] = [rows[low][i], rows[Math.min(low + 1, rows.length - 1)][i]];
+      return one + (other - one) * (row - low);
+    };
+    const dents = rows[0].length - 2;
+    const sector = dents > 0 ? ((k % SEGMENTS) / SEGMENTS) * dents : 0;
+    const first = Math.floor(sector);
+    const dent = (i) => (dents > 0 ? at(2 + (i % dents)) : 0);
+    const bent = Math.max(Math.min(radius, 0.5), radius + dent(first) + (dent(first + 1) - dent(first)) * (sector - first));
+    return [at(0) + bent * way[0], height, at(1) + bent * way[1]];
+  };
+}
+
 /** Nine numbers a corner - place, normal, skin - and the triangles between. */
-function meshOf(rings) {
+function meshOf(rings, place) {
   const corners = [];
   const triangles = [];
-  rings.forEach(([radius, height, down, within], i) => {
-    const before = rings[Math.max(0, i - 1)];
-    const after = rings[Math.min(rings.length - 1, i + 1)];
-    const [dr, dy] = [after[0] - before[0], after[1] - before[1]];
-    const size = Math.hypot(dr, dy) || 1;
+  const places = rings.map((ring) => Array.from({ length: SEGMENTS }, (_, k) => place(ring, k)));
+  const way = (from, to) => to.map((x, axis) => x - from[axis]);
+  rings.forEach(([, , down, within], i) => {
+    const [before, here, after] = [Math.max(0, i - 1), i, Math.min(rings.length - 1, i + 1)].map((ring) => places[ring]);
     for (let k = 0; k <= SEGMENTS; k += 1) {
-      const angle = (k / SEGMENTS) * 2 * Math.PI;
-      const [c, s] = [Math.cos(angle), Math.sin(angle)];
-      corners.push(radius * c, height, -radius * s, (dy / size) * c, -dr / size, (-dy / size) * s, k / SEGMENTS, down, within);
+      const [left, at, right] = [k + SEGMENTS - 1, k, k + 1].map((corner) => corner % SEGMENTS);
+      // The normal stands on the way along the wall and on the way round.
+      const [p, q] = [way(before[at], after[at]), way(here[left], here[right])];
+      const normal = [q[1] * p[2] - q[2] * p[1], q[2] * p[0] - q[0] * p[2], q[0] * p[1] - q[1] * p[0]];
+      const size = Math.hypot(...normal) || 1;
+      corners.push(...here[at], ...normal.map((x) => x / size), k / SEGMENTS, down, within);
       if (i + 1 === rings.length || k === SEGMENTS) continue;
       const a = i * (SEGMENTS + 1) + k;
       const b = a + SEGMENTS + 1;
@@ -152,10 +190,11 @@ function painterOf(canvas, stage, picture) {
   const gl = canvas.getContext('webgl2', { alpha: true, antialias: true });
   const program = gl && programOf(gl);
   if (!program) return null;
-  const outside = points(stage.dataset.outside);
-  const mesh = meshOf(ringsOf(outside, points(stage.dataset.inside)));
-  const radius = Math.max(...outside.map((point) => point[0]));
+  const rows = rowsOf(stage.dataset.rows);
+  const [outside, inside] = [stage.dataset.outside, stage.dataset.inside].map((line) => inRows(points(line), rows));
   const top = outside[outside.length - 1];
+  const mesh = meshOf(ringsOf(outside, inside), placeOf(rows, top[1]));
+  const radius = Number(stage.dataset.reach) || Math.max(...outside.map((point) => point[0]));
   gl.useProgram(program);
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
   gl.bufferData(gl.ARRAY_BUFFER, mesh.corners, gl.STATIC_DRAW);
@@ -179,6 +218,7 @@ function painterOf(canvas, stage, picture) {
   gl.uniform1f(uniform('gloss'), Number(stage.dataset.gloss));
   gl.uniform2f(uniform('rim'), top[0], top[1]);
   gl.enable(gl.DEPTH_TEST);
+  gl.enable(gl.CULL_FACE);  // the pot is closed
   return (angle) => {
     const dense = Math.min(2, devicePixelRatio || 1);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((px) => Math.round(px * dense));
@@ -215,7 +255,7 @@ function start(stage, picture) {
   canvas.setAttribute('role', 'img');
   canvas.setAttribute('aria-label', stage.dataset.say);
   canvas.tabIndex = 0;
-  let angle = 0.35;
+  let angle = 0;  // as the poster shows it
   let turns = !matchMedia('(prefers-reduced-motion: reduce)').matches;
   let seen = true;
   let held = null;

@@ -190,6 +190,45 @@ Result<void> add_extras(tinygltf::Model& model, const std::vector<Extra>& extras
     return {};
 }
 
+// A packet of XMP as JSON-LD: a language alternative, or a list of names, or one text.
+void add_xmp(tinygltf::Model& model, const About& about) {
+    using Object = tinygltf::Value::Object;
+    const auto text = [](const std::string& words) { return tinygltf::Value(valid_utf8(words)); };
+    Object packet;
+    const auto add_alternative = [&](const char* term, const Wordings& wordings) {
+        if (wordings.empty()) return;
+        Object alternative{{"@type", text("rdf:Alt")}};
+        for (const Wording& one : wordings) {
+            Object item{{"@language", text(one.language)}, {"@value", text(one.text)}};
+            alternative[fmt::format("rdf:_{}", alternative.size())] = tinygltf::Value(std::move(item));
+        }
+        packet[term] = tinygltf::Value(std::move(alternative));
+    };
+    const auto add_list = [&](const char* term, const char* kind, const std::vector<std::string>& texts) {
+        tinygltf::Value::Array list;
+        for (const std::string& one : texts)
+            if (!one.empty()) list.push_back(text(one));
+        if (!list.empty()) packet[term] = tinygltf::Value(Object{{kind, tinygltf::Value(std::move(list))}});
+    };
+    packet["@context"] = tinygltf::Value(Object{{"dc", text("http://purl.org/dc/elements/1.1/")},
+                                                {"rdf", text("http://www.w3.org/1999/02/22-rdf-syntax-ns#")},
+                                                {"xmp", text("http://ns.adobe.com/xap/1.0/")}});
+    packet["@id"] = text("");
+    add_alternative("dc:title", about.title);
+    add_alternative("dc:description", about.description);
+    add_alternative("dc:rights", about.rights);
+    add_list("dc:publisher", "@set", texts_of(about.publisher));
+    add_list("dc:date", "@list", {about.date});
+    add_list("dc:relation", "@set", {about.relation});
+    if (!about.identifier.empty()) packet["dc:identifier"] = text(about.identifier);
+    if (!about.tool.empty()) packet["xmp:CreatorTool"] = text(about.tool);
+    constexpr const char* kExtension = "KHR_xmp_json_ld";
+    tinygltf::Value::Array packets{tinygltf::Value(std::move(packet))};
+    model.extensions[kExtension] = tinygltf::Value(Object{{"packets", tinygltf::Value(std::move(packets))}});
+    model.asset.extensions[kExtension] = tinygltf::Value(Object{{"packet", tinygltf::Value(0)}});
+    model.extensionsUsed.emplace_back(kExtension);
+}
+
 Result<void> check_material(const Material& material) {
     const auto within = [](double number) { return number >= 0.0 && number <= 1.0; };
     const dvec3& colour = material.base_colour_linear;
@@ -235,7 +274,9 @@ Result<std::vector<std::byte>> encode_glb(const GltfContent& content) {
     tinygltf::Model model;
     model.asset.version = "2.0";
     model.asset.generator = valid_utf8(content.generator);
+    model.asset.copyright = valid_utf8(content.about.copyright());
     if (const Result<void> good = add_extras(model, content.extras); !good) return good.error();
+    if (content.about.has_rights()) add_xmp(model, content.about);
 
     model.buffers.emplace_back();
     const std::string name = valid_utf8(content.name);
@@ -244,8 +285,10 @@ Result<std::vector<std::byte>> encode_glb(const GltfContent& content) {
     tinygltf::Node node;
     node.name = name;
     node.mesh = 0;
+    node.extras = model.asset.extras;
     model.nodes.push_back(std::move(node));
     tinygltf::Scene scene;
+    scene.name = name;
     scene.nodes = {0};
     model.scenes.push_back(std::move(scene));
     model.defaultScene = 0;

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/asset/about.h"
 #include "engine/asset/mesh.h"
 #include "engine/core/result.h"
 
@@ -43,16 +44,20 @@ struct Material {
     Textures textures = {};
 };
 
-// A field of asset.extras, which a museum's database can read without a 3D library.
+// A field of the extras of asset and node, which a museum's database can read without a 3D library. Both have
+// them, because optimisers keep the asset's alone, and Blender the node's alone.
 using Extra = std::pair<std::string, std::variant<double, std::string, std::vector<double>>>;
 
 // One mesh of one material at the origin of one scene.
 struct GltfContent {
-    std::string name;       // of mesh and node; any bytes, made valid UTF-8
+    std::string name;       // of scene, node and mesh; any bytes, made valid UTF-8
     std::string generator;  // program and version
     Mesh mesh;
     Material material;
     std::vector<Extra> extras;
+    // asset.copyright; with rights or a publisher also KHR_xmp_json_ld, of which Khronos's validator says
+    // that it cannot check it.
+    About about{};
 };
 
 // The same content gives the same bytes. Indices take 16 bits while the vertices allow it. kBadInput if the

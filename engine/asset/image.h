@@ -44,6 +44,11 @@ Result<std::vector<std::byte>> encode_jpeg(const Image& image, int quality);
 // bytes. kBadInput as encode_png().
 Result<std::vector<std::byte>> encode_webp(const Image& image, int quality);
 
+// The file with an XMP packet (ISO 16684-3); its pixels are unchanged. Precondition: it has no packet yet.
+// kBadInput: not a PNG, or not a WebP, which may be animated.
+Result<std::vector<std::byte>> png_with_xmp(std::span<const std::byte> png, std::string_view xmp);
+Result<std::vector<std::byte>> webp_with_xmp(std::span<const std::byte> webp, std::string_view xmp);
+
 // Decodes any grey or colour JPEG (ITU-T T.81) to 8-bit RGBA with alpha 255, without colour conversion.
 // kBadInput if the bytes are not a JPEG, are truncated or damaged, have too many scans, or claim a side above
 // kMaxImageSide.

@@ -1,6 +1,10 @@
 // See image.h. The only file that includes libpng. Any thread.
 #include <fmt/format.h>
 #include <png.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstring>
 
 #include "engine/asset/image.h"
 
@@ -84,6 +88,32 @@ Result<Image> decode_png(std::span<const std::byte> bytes, std::string_view name
             fmt::format("{}: expected a whole PNG, found a damaged one: {}", name, png.message()));
     }
     return image;
+}
+
+// The simplified interface writes no text, so this adds the chunk (ISO/IEC 15948, 11.3.4.5) behind the
+// header.
+Result<std::vector<std::byte>> png_with_xmp(std::span<const std::byte> png, std::string_view xmp) {
+    constexpr std::size_t kHeaderEnd = 8 + 25;  // signature, IHDR
+    if (png.size() < kHeaderEnd || png_sig_cmp(reinterpret_cast<png_const_bytep>(png.data()), 0, 8) != 0)
+        return bad_input(
+            fmt::format("PNG: expected a whole file, found {} bytes of something else", png.size()));
+    // Keyword, no compression, no language, no translated keyword.
+    constexpr std::string_view kType = "iTXt";
+    constexpr std::string_view kKeyword("XML:com.adobe.xmp\0\0\0\0\0", 22);
+    std::string chunk;
+    const auto add_number = [&](std::uint32_t number) {
+        for (int shift = 24; shift >= 0; shift -= 8)
+            chunk += static_cast<char>(static_cast<unsigned char>(number >> static_cast<unsigned>(shift)));
+    };
+    add_number(static_cast<std::uint32_t>(kKeyword.size() + xmp.size()));
+    chunk.append(kType).append(kKeyword).append(xmp);
+    const auto* const counted = reinterpret_cast<const Bytef*>(chunk.data() + 4);
+    add_number(static_cast<std::uint32_t>(crc32_z(0, counted, chunk.size() - 4)));
+    std::vector<std::byte> file(png.size() + chunk.size());
+    const auto rest = std::copy_n(png.begin(), kHeaderEnd, file.begin());
+    std::memcpy(&*rest, chunk.data(), chunk.size());
+    std::copy(png.begin() + kHeaderEnd, png.end(), rest + static_cast<std::ptrdiff_t>(chunk.size()));
+    return file;
 }
 
 }  // namespace onggi::asset

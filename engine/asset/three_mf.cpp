@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -34,31 +35,6 @@ class Handle {
   private:
     T* held_ = nullptr;
 };
-
-// Escapes the text of an element, which the library does not; it escapes attribute values itself.
-std::string xml_text(std::string_view words) {
-    std::string text;
-    for (const char c : valid_utf8(words)) {
-        switch (c) {
-            case '&':
-                text += "&amp;";
-                break;
-            case '<':
-                text += "&lt;";
-                break;
-            case '>':
-                text += "&gt;";
-                break;
-            case '"':
-                text += "&quot;";
-                break;
-            default:
-                // XML 1.0 cannot express the other control characters.
-                text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-        }
-    }
-    return text;
-}
 
 struct Welded {
     std::vector<NMR::MODELMESHVERTEX> vertices;
@@ -128,6 +104,64 @@ BOOL seek_to(UINT64 place, void* user) {
     return 0;
 }
 
+template <typename Number>
+std::optional<Number> number_at(const std::vector<std::byte>& bytes, std::uint64_t at) {
+    if (at > bytes.size() || bytes.size() - at < sizeof(Number)) return std::nullopt;
+    Number number{};
+    std::memcpy(&number, bytes.data() + at, sizeof number);
+    return number;
+}
+
+// The file with its directory in the form of small files (APPNOTE 6.3.9, 4.3.12 and 4.3.16), where lib3mf
+// writes ZIP64, which assimp 5.2.5 does not read there; and with the first day that ZIP can name, where
+// lib3mf writes month zero, which readers refuse that make a date of it
+// (findings/assimp-reads-no-3mf-that-lib3mf-wrote.sh). Empty: not in lib3mf's form.
+std::vector<std::byte> with_plain_directory(const std::vector<std::byte>& zip) {
+    constexpr std::uint16_t kFirstOfJanuary = (1U << 5U) | 1U;  // the year counts from 1980
+    constexpr std::uint32_t kEntry = 0x02014b50;
+    constexpr std::uint32_t kHead = 0x04034b50;
+    constexpr std::uint32_t kEnd = 0x06054b50;
+    constexpr std::size_t kEntryBytes = 46;
+    constexpr std::size_t kEndBytes = 22;
+    constexpr std::size_t kLocatorBytes = 20;
+    if (zip.size() < kEndBytes + kLocatorBytes || zip.size() > std::numeric_limits<std::uint32_t>::max())
+        return {};
+    const auto end =
+        number_at<std::uint64_t>(zip, zip.size() - kEndBytes - kLocatorBytes + 8).value_or(zip.size());
+    const std::uint64_t directory = number_at<std::uint64_t>(zip, end + 48).value_or(zip.size());
+    if (directory > end || end > zip.size()) return {};
+    std::vector<std::byte> plain(zip.begin(), zip.begin() + static_cast<std::ptrdiff_t>(directory));
+    const auto put = [&](std::uint64_t at, auto number) {
+        std::memcpy(plain.data() + at, &number, sizeof number);
+    };
+    std::uint16_t count = 0;
+    for (std::uint64_t at = directory; number_at<std::uint32_t>(zip, at) == kEntry; ++count) {
+        const std::uint64_t name = number_at<std::uint16_t>(zip, at + 28).value_or(0);
+        const std::uint64_t extra = number_at<std::uint16_t>(zip, at + 30).value_or(0);
+        const std::uint64_t wide = at + kEntryBytes + name;  // the extra field: size, packed size, place
+        const auto head = number_at<std::uint64_t>(zip, wide + 20);
+        if (!head || *head > directory || number_at<std::uint32_t>(zip, *head) != kHead) return {};
+        const std::uint64_t entry = plain.size();
+        const auto first = zip.begin() + static_cast<std::ptrdiff_t>(at);
+        plain.insert(plain.end(), first, first + static_cast<std::ptrdiff_t>(kEntryBytes + name));
+        put(entry + 14, kFirstOfJanuary);
+        put(entry + 20, static_cast<std::uint32_t>(*number_at<std::uint64_t>(zip, wide + 12)));
+        put(entry + 24, static_cast<std::uint32_t>(*number_at<std::uint64_t>(zip, wide + 4)));
+        put(entry + 30, std::uint16_t{0});
+        put(entry + 42, static_cast<std::uint32_t>(*head));
+        put(*head + 12, kFirstOfJanuary);
+        at = wide + extra;
+    }
+    const std::uint64_t ends = plain.size();
+    plain.resize(ends + kEndBytes);
+    put(ends, kEnd);
+    put(ends + 8, count);
+    put(ends + 10, count);
+    put(ends + 12, static_cast<std::uint32_t>(ends - directory));
+    put(ends + 16, static_cast<std::uint32_t>(directory));
+    return count > 0 ? plain : std::vector<std::byte>();
+}
+
 // Keeps the first failure of a sequence of library calls.
 class Calls {
   public:
@@ -168,7 +202,10 @@ Result<std::vector<std::byte>> encode_3mf(const Mesh& mesh, const ThreeMfWords& 
     calls(NMR::lib3mf_model_setbuilduuidutf8(model.get(), kBuildId), "its name");
     for (const auto& [key, value] : {std::pair("Title", &words.title),
                                      {"Description", &words.description},
-                                     {"Application", &words.application}}) {
+                                     {"Application", &words.application},
+                                     {"Copyright", &words.copyright},
+                                     {"LicenseTerms", &words.licence_terms},
+                                     {"CreationDate", &words.creation_date}}) {
         if (!value->empty())
             calls(NMR::lib3mf_model_addmetadatautf8(model.get(), key, xml_text(*value).c_str()), key);
     }
@@ -203,7 +240,9 @@ Result<std::vector<std::byte>> encode_3mf(const Mesh& mesh, const ThreeMfWords& 
                                              reinterpret_cast<void*>(&seek_to), &sink),
           "writing");
     if (!calls.are_good()) return calls.trouble();
-    return std::move(sink.bytes);
+    std::vector<std::byte> file = with_plain_directory(sink.bytes);
+    if (file.empty()) return failed("3MF: expected a ZIP file in lib3mf's form");
+    return file;
 }
 
 }  // namespace onggi::asset

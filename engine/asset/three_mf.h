@@ -16,6 +16,10 @@ struct ThreeMfWords {  // any bytes, converted to valid text
     std::string title;
     std::string description;  // for the person who prints it; empty: omitted
     std::string application;  // program and version
+    // Of the same name in the specification; empty: omitted.
+    std::string copyright{};
+    std::string licence_terms{};
+    std::string creation_date{};  // "2026-11-28"
 };
 
 // Largest side of the picture in the file, pixels.

@@ -54,4 +54,28 @@ std::string valid_utf8(std::string_view bytes) {
     return text;
 }
 
+std::string xml_text(std::string_view words) {
+    std::string text;
+    for (const char c : valid_utf8(words)) {
+        switch (c) {
+            case '&':
+                text += "&amp;";
+                break;
+            case '<':
+                text += "&lt;";
+                break;
+            case '>':
+                text += "&gt;";
+                break;
+            case '"':
+                text += "&quot;";
+                break;
+            default:
+                // XML 1.0 cannot express the other control characters.
+                text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+        }
+    }
+    return text;
+}
+
 }  // namespace onggi::asset

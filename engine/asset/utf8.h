@@ -11,4 +11,7 @@ namespace onggi::asset {
 // throw on invalid UTF-8, and a visitor's text must not end the program.
 std::string valid_utf8(std::string_view bytes);
 
+// The same, escaped for an element or attribute of XML 1.0; control characters become spaces.
+std::string xml_text(std::string_view bytes);
+
 }  // namespace onggi::asset

@@ -38,6 +38,33 @@ class Picture {
     bool ready_ = false;
 };
 
+using Mux = std::unique_ptr<WebPMux, decltype(&WebPMuxDelete)>;
+
+// libwebp makes a still without a duration of equal pictures, and of a film with a single frame, too: puts
+// the picture in twice. Leaves a file that is a film as it is. False: no memory.
+bool make_last(WebPData& file, int shown_ms) {
+    constexpr int kCopies = 1;
+    const Mux still(WebPMuxCreate(&file, kCopies), &WebPMuxDelete);
+    std::uint32_t flags = 0;
+    if (!still || WebPMuxGetFeatures(still.get(), &flags) != WEBP_MUX_OK) return false;
+    if ((flags & ANIMATION_FLAG) != 0) return true;
+    WebPMuxFrameInfo frame{};
+    const Mux film(WebPMuxNew(), &WebPMuxDelete);
+    const WebPMuxAnimParams once{.bgcolor = 0, .loop_count = 1};
+    if (!film || WebPMuxGetFrame(still.get(), 1, &frame) != WEBP_MUX_OK) return false;
+    frame.id = WEBP_CHUNK_ANMF;
+    frame.dispose_method = WEBP_MUX_DISPOSE_NONE;
+    frame.blend_method = WEBP_MUX_NO_BLEND;
+    bool is_done = WebPMuxSetAnimationParams(film.get(), &once) == WEBP_MUX_OK;
+    for (const int part_ms : {shown_ms / 2, shown_ms - shown_ms / 2}) {
+        frame.duration = part_ms;
+        is_done = is_done && WebPMuxPushFrame(film.get(), &frame, kCopies) == WEBP_MUX_OK;
+    }
+    WebPDataClear(&frame.bitstream);
+    WebPDataClear(&file);
+    return is_done && WebPMuxAssemble(film.get(), &file) == WEBP_MUX_OK;
+}
+
 }  // namespace
 
 struct WebpFilm::Encoder {
@@ -45,6 +72,7 @@ struct WebpFilm::Encoder {
     WebPConfig config{};
     WebPAnimEncoder* film = nullptr;
     int shown_ms = 0;  // duration of all pictures so far
+    int pictures = 0;
 
     Encoder() = default;
     Encoder(const Encoder&) = delete;
@@ -99,6 +127,7 @@ Result<void> WebpFilm::add(const Image& image, int shown_ms) {
     if (WebPAnimEncoderAdd(encoder.film, picture.get(), encoder.shown_ms, &encoder.config) == 0)
         return encoder.trouble("a picture could not be added");
     encoder.shown_ms += shown_ms;
+    ++encoder.pictures;
     return {};
 }
 
@@ -111,6 +140,10 @@ Result<std::vector<std::byte>> WebpFilm::finish() {
     WebPDataInit(&data);
     if (WebPAnimEncoderAssemble(encoder.film, &data) == 0)
         return encoder.trouble("the film could not be put together");
+    if (encoder.pictures > 1 && !make_last(data, encoder.shown_ms)) {
+        WebPDataClear(&data);
+        return failed("WebP: no memory for a film");
+    }
     std::vector<std::byte> file(data.size);
     std::memcpy(file.data(), data.bytes, data.size);
     WebPDataClear(&data);

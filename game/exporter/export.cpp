@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -37,6 +38,18 @@ asset::Material stoneware() {
             .metallic = 0.0};
 }
 
+// Its description is for the person who prints it; the story comes first.
+asset::ThreeMfWords three_mf_words(const PotFile& file) {
+    const asset::About& about = file.content.about;
+    const std::string story = first_of(about.description);
+    return {.title = file.title,
+            .description = story.empty() || file.note.empty() ? story + file.note : story + ' ' + file.note,
+            .application = kProgram,
+            .copyright = first_of(about.publisher),
+            .licence_terms = first_of(about.rights),
+            .creation_date = about.date};
+}
+
 }  // namespace
 
 Result<ExportKind> export_kind_of(std::string_view path) {
@@ -58,12 +71,20 @@ Result<ExportKind> export_kind_of(std::string_view path) {
     return bad_input(fmt::format("{}: expected a name that ends in {}", path, known));
 }
 
-asset::GltfContent pot_content(asset::Mesh mesh, asset::Material material, std::vector<asset::Extra> extras) {
-    return {.name = "pot",
+asset::GltfContent pot_content(std::string name, asset::Mesh mesh, asset::Material material,
+                               std::vector<asset::Extra> measures, PotStory story) {
+    if (!story.about.is_empty()) name = first_of(story.about.title);
+    std::move(story.extras.begin(), story.extras.end(), std::back_inserter(measures));
+    return {.name = std::move(name),
             .generator = kProgram,
             .mesh = std::move(mesh),
             .material = std::move(material),
-            .extras = std::move(extras)};
+            .extras = std::move(measures),
+            .about = std::move(story.about)};
+}
+
+std::string_view program_name() {
+    return kProgram;
 }
 
 std::string printing_note(double thinnest_wall_mm) {
@@ -80,7 +101,7 @@ Result<PotFile> pot_file(const PotRings& rings) {
     double widest_mm = 0.0;
     for (const double radius_mm : rings.outer_mm)
         widest_mm = std::max(widest_mm, 2.0 * radius_mm);
-    return PotFile{.content = pot_content(std::move(pot->mesh), stoneware(),
+    return PotFile{.content = pot_content("Pot", std::move(pot->mesh), stoneware(),
                                           {{"height_mm", rings.height_mm()},
                                            {"max_diameter_mm", widest_mm},
                                            {"volume_mm3", rings.volume_mm3}}),
@@ -97,8 +118,7 @@ Result<std::vector<std::byte>> encode_pot(const Result<PotFile>& file, ExportKin
         case ExportKind::kStl:
             return asset::encode_stl(mesh, file->title);
         case ExportKind::k3mf:
-            return asset::encode_3mf(
-                mesh, {.title = file->title, .description = file->note, .application = kProgram}, picture);
+            return asset::encode_3mf(mesh, three_mf_words(*file), picture);
     }
     return bad_input("pot: expected a format, found none");
 }

@@ -20,6 +20,12 @@ enum class ExportKind { kGlb, kStl, k3mf };
 // The kind for a path's extension, in any case. kBadInput for any other extension, listing the known ones.
 Result<ExportKind> export_kind_of(std::string_view path);
 
+// What a file says of its pot besides the measures; no word about the visitor.
+struct PotStory {
+    asset::About about{};                // without a title: the pot is named after its clay
+    std::vector<asset::Extra> extras{};  // after the measures
+};
+
 struct PotFile {
     asset::GltfContent content;  // the solid; material and extras are for the GLB
     std::string title{};         // for the STL's header and the 3MF
@@ -31,9 +37,11 @@ constexpr double kThinnestPrintedMm = 2.0;
 // The note for a pot with walls that thin at the file's size; empty if they are thick enough.
 [[nodiscard]] std::string printing_note(double thinnest_wall_mm);
 
-// This program as the generator of a pot's mesh.
-[[nodiscard]] asset::GltfContent pot_content(asset::Mesh mesh, asset::Material material,
-                                             std::vector<asset::Extra> extras);
+// This program as the generator of a pot's mesh. The story's title names the pot, or else `name`.
+[[nodiscard]] asset::GltfContent pot_content(std::string name, asset::Mesh mesh, asset::Material material,
+                                             std::vector<asset::Extra> measures, PotStory story = {});
+// The program and its version, as files name their maker.
+[[nodiscard]] std::string_view program_name();
 
 // A shape without other data, as stoneware: the paper's clay. kBadInput: see build_pot_solid().
 Result<PotFile> pot_file(const PotRings& rings);

@@ -55,22 +55,6 @@ bool is_ledge(double below_mm, double above_mm, double ring_mm) {
     return step > kLedgeSteepness * ring_mm && lost_fraction > kLedgeVolumeFraction;
 }
 
-// The mean of the sectors around each corner. Corner k is at k/count of a turn, sector s around (s + 1/2)/S:
-// with half as many corners as sectors each corner takes its two neighbours.
-std::vector<double> dents_at_corners(std::span<const float> row, int count) {
-    std::vector<double> dents(PotRings::at(row.empty() ? 0 : count), 0.0);
-    const auto sectors = static_cast<int>(row.size());
-    const int width = std::max(sectors / count, 2);  // sectors a corner represents
-    for (int k = 0; k < std::ssize(dents); ++k) {
-        const int middle = k * sectors / count;  // the sector just after the corner
-        double sum = 0.0;
-        for (int j = -width / 2; j < width - width / 2; ++j)
-            sum += static_cast<double>(row[PotRings::at((middle + j + sectors) & (sectors - 1))]);
-        dents[PotRings::at(k)] = sum / width;
-    }
-    return dents;
-}
-
 SurfaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int corners) {
     SurfaceRow row;
     row.y_mm = y_mm;
@@ -78,7 +62,7 @@ SurfaceRow row_at(const PotRings& rings, Which which, int ring, double y_mm, int
     row.radius_mm = which == Which::kOuter ? rings.outer_mm[PotRings::at(ring)]
                                            : std::max(rings.inner(ring), kNarrowestOpeningMm);
     if (!rings.centre_mm.empty()) row.centre_mm = rings.centre_mm[PotRings::at(ring)];
-    row.dents_mm = dents_at_corners(rings.dents_of(ring), corners);
+    row.dents_mm = pot::dents_at_corners(rings.dents_of(ring), corners);
     return row;
 }
 

@@ -67,7 +67,7 @@ std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, Firing stage)
     const clay::studio::Ledger& ledger = clay.ledger();
     return {{"height_mm", at_stage.height_mm},
             {"max_diameter_mm", at_stage.widest_mm},
-            {"mouth_mm", rings.count > 0 ? 2.0 * clay.outer_mm().back() * scale : 0.0},
+            {"mouth_mm", at_stage.mouth_mm},
             {"foot_mm", at_stage.foot_mm},
             {"floor_mm", at_stage.floor_mm},
             {"volume_mm3", clay.volume_mm3() * scale * scale * scale},
@@ -98,16 +98,20 @@ Result<PotSolid> viewed_solid(const clay::StudioClay& clay, Firing stage) {
                                                     .is_glazed = stage == Firing::kGlaze});
 }
 
-Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage) {
+Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage, PotStory story) {
     const ClayBody body = clay.lump().body;
     const double scale = clay::shrunk_scale(body, stage);
     Result<PotSolid> pot = build_pot_solid(rings_of(clay.rings()), {.shrinkage = scale});
     if (!pot) return pot.error();
-    return PotFile{.content = pot_content(std::move(pot->mesh), {.name = pot_name(body, stage)},
-                                          pot_extras(clay, stage)),
-                   .title = fmt::format("Onggi pot, {}, {:.1f} mm high", pot_name(body, stage),
-                                        clay.height_mm() * scale),
-                   .note = printing_note(clay::measure_pot(clay.rings(), body, stage).thinnest_wall_mm)};
+    const std::string title = fmt::format(
+        "{}, {:.1f} mm high",
+        story.about.is_empty() ? "Onggi pot, " + pot_name(body, stage) : first_of(story.about.title),
+        clay.height_mm() * scale);
+    return PotFile{
+        .content = pot_content("Pot, " + pot_name(body, stage), std::move(pot->mesh),
+                               {.name = pot_name(body, stage)}, pot_extras(clay, stage), std::move(story)),
+        .title = title,
+        .note = printing_note(clay::measure_pot(clay.rings(), body, stage).thinnest_wall_mm)};
 }
 
 }  // namespace onggi::exporter

@@ -30,6 +30,6 @@ std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, clay::Firing 
 Result<PotSolid> viewed_solid(const clay::StudioClay& clay, clay::Firing stage);
 
 // The solid for 3D printers, with a material that has a name alone. kBadInput: see build_pot_solid().
-Result<PotFile> pot_file(const clay::StudioClay& clay, clay::Firing stage);
+Result<PotFile> pot_file(const clay::StudioClay& clay, clay::Firing stage, PotStory story = {});
 
 }  // namespace onggi::exporter

@@ -153,6 +153,30 @@ Setting codes(std::vector<std::string>& into) {
             }};
 }
 
+// "CC BY 4.0", or { en = "CC BY 4.0", ko = "..." }.
+Setting house_text(HouseText& into) {
+    return {"a text of 500 letters at most, or one a language such as { en = \"...\", ko = \"...\" }",
+            [&into](const toml::node& node) {
+                constexpr std::size_t kMostBytes = 500;
+                HouseText read;
+                const auto take = [&](const std::string& code, const toml::node& one) {
+                    const auto text = one.is_string() ? one.value<std::string>() : std::nullopt;
+                    if (!text || text->size() > kMostBytes) return false;
+                    if (!text->empty()) read.emplace_back(code, *text);
+                    return true;
+                };
+                if (const toml::table* table = node.as_table()) {
+                    for (const auto& [code, one] : *table)
+                        if (!is_language_code(std::string(code.str())) || !take(std::string(code.str()), one))
+                            return false;
+                } else if (!take("", node)) {
+                    return false;
+                }
+                into = std::move(read);
+                return true;
+            }};
+}
+
 // "HH:MM" as minutes after midnight.
 Setting time_of_day(int& into) {
     return {"a time as \"HH:MM\"", [&into](const toml::node& node) {
@@ -217,6 +241,8 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"sharing.most_pots", whole(config.sharing.most_pots, 1, 10000, "a whole number, 1 to 10000")},
         {"sharing.most_mb", number(config.sharing.most_mb, 10.0, 1e6, "10 to 1000000")},
         {"sharing.counter", words(config.sharing.counter, "a file", anything)},
+        {"sharing.licence", house_text(config.sharing.licence)},
+        {"sharing.publisher", house_text(config.sharing.publisher)},
         {"staff.pin", words(config.staff.pin, "4 to 8 digits between quotes, or nothing", is_pin)},
         {"staff.locked", yes_or_no(config.staff.locked)},
         {"staff.closes_after_s", number(config.staff.closes_after_s, 10.0, 600.0, "10 to 600")},

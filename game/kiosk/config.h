@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -12,6 +13,9 @@ namespace onggi::kiosk {
 
 // Bytes per megabyte, in the settings and on the staff panel.
 constexpr double kBytesPerMb = 1e6;
+
+// A text of the house: pairs of language code and text, or one text without a code; empty: none.
+using HouseText = std::vector<std::pair<std::string, std::string>>;
 
 struct Config {
     struct {
@@ -65,6 +69,8 @@ struct Config {
         int most_pots = 200;            // beyond this the oldest are deleted
         double most_mb = 1000.0;        // total size of the outbox
         std::string counter;            // pipe that reports opened pages; empty: do not count
+        HouseText licence;              // of the files that leave, written into them
+        HouseText publisher;            // the museum, likewise
     } sharing;
     struct {
         std::string pin;  // 4 to 8 digits; empty: no staff panel

@@ -301,7 +301,7 @@ PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::
 }
 
 Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::Firing stage,
-                                           const PotLook& look) {
+                                           const PotLook& look, exporter::PotStory story) {
     const exporter::PotRings rings = exporter::rings_of(clay.rings());
     const double shrinkage = clay::shrunk_scale(clay.lump().body, stage);
     auto pot = exporter::viewed_solid(clay, stage);
@@ -330,8 +330,9 @@ Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::F
     }
     if (!done) return done.error();
     asset::order_for_drawing(pot->mesh);
-    return asset::encode_glb(
-        exporter::pot_content(std::move(pot->mesh), std::move(material), exporter::pot_extras(clay, stage)));
+    return asset::encode_glb(exporter::pot_content("Pot, " + exporter::pot_name(clay.lump().body, stage),
+                                                   std::move(pot->mesh), std::move(material),
+                                                   exporter::pot_extras(clay, stage), std::move(story)));
 }
 
 }  // namespace onggi::look

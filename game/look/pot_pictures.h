@@ -15,6 +15,7 @@
 #include "game/clay/studio/pot.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/decoration/canvas.h"
+#include "game/exporter/export.h"
 #include "game/exporter/pot_rings.h"
 #include "game/exporter/pot_solid.h"
 #include "game/finish/glaze.h"
@@ -69,8 +70,8 @@ struct PotPictures {
 [[nodiscard]] PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::PotRings& rings,
                                double shrinkage, const PotLook& look);
 
-// The pot as a GLB with its look, at the size of its stage. kBadInput: see build_pot_solid().
+// The pot as a GLB with its look and its story, at the size of its stage. kBadInput: see build_pot_solid().
 [[nodiscard]] Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::Firing stage,
-                                                         const PotLook& look);
+                                                         const PotLook& look, exporter::PotStory story = {});
 
 }  // namespace onggi::look

@@ -70,6 +70,21 @@ std::vector<dvec2> unit_circle(int n) {
     return circle;
 }
 
+std::vector<double> dents_at_corners(std::span<const float> sectors_mm, int count) {
+    std::vector<double> dents(static_cast<std::size_t>(sectors_mm.empty() ? 0 : count), 0.0);
+    const auto sectors = static_cast<int>(sectors_mm.size());
+    const int width = std::max(sectors / count, 2);  // sectors a corner represents
+    for (int k = 0; k < std::ssize(dents); ++k) {
+        const int middle = k * sectors / count;  // the sector just after the corner
+        double sum = 0.0;
+        for (int j = -width / 2; j < width - width / 2; ++j)
+            sum += static_cast<double>(
+                sectors_mm[static_cast<std::size_t>((middle + j + sectors) & (sectors - 1))]);
+        dents[static_cast<std::size_t>(k)] = sum / width;
+    }
+    return dents;
+}
+
 double distance_mm(const SurfaceRow& a, const SurfaceRow& b) {
     return std::hypot(b.radius_mm - a.radius_mm, b.y_mm - a.y_mm);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/math/math.h"
@@ -15,6 +16,11 @@ namespace onggi::pot {
 // n unit vectors (cos, sin) at 2 pi k/n, from halved angles and exact square roots. n = 2^a or 3 x 2^a, a
 // >= 2.
 std::vector<dvec2> unit_circle(int n);
+
+// The mean of the sectors around each of `count` corners; none without sectors. Corner k is at k/count of a
+// turn, sector s around (s + 1/2)/S: with half as many corners as sectors each corner takes its two
+// neighbours. The number of sectors is a power of two.
+std::vector<double> dents_at_corners(std::span<const float> sectors_mm, int count);
 
 // A circle with its own centre; the dents move its corners outwards.
 struct SurfaceRow {

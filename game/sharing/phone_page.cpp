@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/quote.h"
 #include "page_assets.h"
@@ -19,15 +20,47 @@ bool is_drawn(const OutlinePoint& point) {
     return point.radius_mm >= 0.0 && point.radius_mm <= kMostMm && std::abs(point.height_mm) <= kMostMm;
 }
 
-std::vector<OutlinePoint> thinned(std::span<const OutlinePoint> outline) {
-    const auto* end = outline.data();
-    while (end != outline.data() + outline.size() && is_drawn(*end))
-        ++end;
-    const auto count = static_cast<std::size_t>(end - outline.data());
+double distance_mm(const OutlinePoint& from, const OutlinePoint& to, const OutlinePoint& point) {
+    const double across = to.radius_mm - from.radius_mm;
+    const double up = to.height_mm - from.height_mm;
+    const double length = std::hypot(across, up);
+    const double right = point.radius_mm - from.radius_mm;
+    const double above = point.height_mm - from.height_mm;
+    return length > 0.0 ? std::abs(across * above - up * right) / length : std::hypot(right, above);
+}
+
+// The points without which the line is off by more than that (Ramer 1972, Douglas and Peucker 1973).
+std::vector<OutlinePoint> within(std::span<const OutlinePoint> line, double off_mm) {
+    std::vector<bool> is_kept(line.size(), false);
+    is_kept.front() = is_kept.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> spans{{0, line.size() - 1}};
+    while (!spans.empty()) {
+        const auto [first, last] = spans.back();
+        spans.pop_back();
+        std::size_t farthest = first;
+        double most_mm = off_mm;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const double far_mm = distance_mm(line[first], line[last], line[i]);
+            if (far_mm > most_mm) most_mm = far_mm, farthest = i;
+        }
+        if (farthest == first) continue;
+        is_kept[farthest] = true;
+        spans.insert(spans.end(), {{first, farthest}, {farthest, last}});
+    }
     std::vector<OutlinePoint> points;
-    const std::size_t kept = std::min(count, kMostPoints);
-    for (std::size_t i = 0; i < kept; ++i)
-        points.push_back(outline[kept < 2 ? 0 : i * (count - 1) / (kept - 1)]);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (is_kept[i]) points.push_back(line[i]);
+    return points;
+}
+
+std::vector<OutlinePoint> thinned(std::span<const OutlinePoint> outline) {
+    const auto end = std::find_if_not(outline.begin(), outline.end(), is_drawn);
+    const auto line = outline.first(static_cast<std::size_t>(end - outline.begin()));
+    if (line.empty()) return {};
+    constexpr double kOffMm = 0.05;
+    std::vector<OutlinePoint> points = within(line, kOffMm);
+    for (double off_mm = 2.0 * kOffMm; points.size() > kMostPoints; off_mm *= 2.0)
+        points = within(line, off_mm);
     return points;
 }
 
@@ -131,6 +164,10 @@ class Page {
                 colour[1], colour[2], pot_.gloss, said(), word("phone.turn"), word("phone.stop"),
                 word("phone.go"));
         }
+        if (!pot_.off_round.empty() && !shape.empty()) {
+            shape += fmt::format(" data-reach=\"{:.2f}\" data-rows=\"{}\"", pot_.reach_mm,
+                                 off_round_numbers(pot_.off_round));
+        }
         const std::string poster =
             links.poster.empty() ? ""
                                  : fmt::format("<img src=\"{}\" alt=\"{}\">\n", html(links.poster), said());
@@ -168,7 +205,11 @@ class Page {
         if (pot_.print_stl.is_given()) links += save_link("pot.stl", word("phone.print"), "STL");
         if (pot_.print_3mf.is_given()) links += save_link("pot.3mf", word("phone.print"), "3MF");
         links += augmented();
-        return links.empty() ? "" : "<div class=\"files\">\n" + links + "</div>\n";
+        if (links.empty()) return {};
+        const std::string note = pot_.print_stl.is_given()
+                                     ? fmt::format("<p class=\"note\">{}</p>\n", word("phone.print.line"))
+                                     : "";
+        return "<div class=\"files\">\n" + links + "</div>\n" + note;
     }
 
     // A link to Android's Scene Viewer, which needs the model over https. The script shows it if the phone
@@ -309,6 +350,20 @@ std::string outline_numbers(std::span<const OutlinePoint> outline) {
     return text;
 }
 
+std::string off_round_numbers(std::span<const OffRoundRow> rows) {
+    const auto twentieths = [](double mm) {
+        return static_cast<int>(std::lround(std::clamp(mm, -kMostMm, kMostMm) * 20.0));
+    };
+    std::string text;
+    for (const OffRoundRow& row : rows) {
+        if (!text.empty()) text += ' ';
+        text += fmt::format("{},{}", twentieths(row.x_mm), twentieths(row.z_mm));
+        for (const double dent_mm : row.dents_mm)
+            text += fmt::format(",{}", twentieths(dent_mm));
+    }
+    return text;
+}
+
 std::string two_pots_svg(std::span<const OutlinePoint> ours, std::span<const OutlinePoint> nearest) {
     constexpr double kWidth = 132.0;
     constexpr double kHeight = 112.0;
@@ -355,12 +410,12 @@ std::string ask_page(const std::vector<kiosk::Language>& languages, std::size_t 
     });
     return around(
         own, html(own.shown("phone.ask")),
-        fmt::format(
-            "<form id=\"ask\" method=\"get\">\n<label for=\"code\">\n{}</label>\n"
-            "<input id=\"code\" name=\"code\" dir=\"ltr\" required maxlength=\"20\" autocomplete=\"off\" "
-            "autocapitalize=\"characters\" spellcheck=\"false\">\n<button>{}</button>\n</form>\n"
-            "<script src=\"code.js\" defer></script>\n",
-            labels, html(own.shown("phone.ask.go"))));
+        fmt::format("<form id=\"ask\" method=\"get\">\n<label for=\"code\">\n{}</label>\n"
+                    "<input id=\"code\" name=\"code\" type=\"text\" dir=\"ltr\" required maxlength=\"20\" "
+                    "autocomplete=\"off\" "
+                    "autocapitalize=\"characters\" spellcheck=\"false\">\n<button>{}</button>\n</form>\n"
+                    "<script src=\"code.js\" defer></script>\n",
+                    labels, html(own.shown("phone.ask.go"))));
 }
 
 std::string_view ask_script() {

@@ -28,6 +28,9 @@ namespace onggi::sharing {
 // Stops at the first value that is not finite or exceeds two metres.
 [[nodiscard]] std::string outline_numbers(std::span<const OutlinePoint> outline);
 
+// "12,-3,0,0,5 ...": a row's centre and its dents in whole twentieths of a millimetre.
+[[nodiscard]] std::string off_round_numbers(std::span<const OffRoundRow> rows);
+
 // Two pots on one board at the same scale, as SVG without text: ours, then the museum's.
 [[nodiscard]] std::string two_pots_svg(std::span<const OutlinePoint> ours,
                                        std::span<const OutlinePoint> nearest);

@@ -29,6 +29,14 @@ struct PotWords {
     std::string nearest_line{};  // "Joseon, 18th c.\nNational Museum of Korea"
 };
 
+// A row of a pot that is not round, in the page's frame: x to the right, z to the eye, directions
+// counter-clockwise from the right as seen from above.
+struct OffRoundRow {
+    double x_mm = 0.0;  // of the centre
+    double z_mm = 0.0;
+    std::vector<double> dents_mm{};  // evenly spaced, added to both walls' radii; empty, as in all rows: none
+};
+
 struct SharedPot {
     // Pictures are PNG, JPEG or WebP, detected from their bytes.
     FileContent picture{};     // to save; also the poster if there is none
@@ -44,6 +52,8 @@ struct SharedPot {
     // empty. Without an outside the page shows only the poster.
     std::vector<OutlinePoint> outside{};
     std::vector<OutlinePoint> inside{};
+    std::vector<OffRoundRow> off_round{};  // evenly spaced from foot to rim; empty: round
+    double reach_mm = 0.0;                 // of a pot that is not round: largest distance from the axis
     // Texture wrapped round the outside: columns go round, rows go from the rim down to the foot in equal
     // steps along the outline. Without it the page uses the colour.
     FileContent surface{};

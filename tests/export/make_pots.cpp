@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "engine/asset/webp_film.h"
 #include "game/exporter/export.h"
 #include "game/exporter/pot_solid.h"
 #include "game/exporter/studio_export.h"
@@ -87,6 +88,47 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
     return true;
 }
 
+// A pot with all that its files can say, as GLB, 3MF, STL, PNG and an animated WebP.
+bool add_told_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
+                  nlohmann::json& expected) {
+    const exporter::PotStory story{
+        .about = {.title = {{"en", "Moon jar, celadon"},
+                            {"ko", "달항아리, 청자"},
+                            {"ar", "جرة القمر، سيلادون"}},
+                  .description = {{"en", "Thrown & fired."}, {"ko", "빚고 구웠습니다."}},
+                  .rights = {{"en", "CC BY 4.0"}, {"ko", "저작자표시 4.0"}},
+                  .publisher = {{"en", "House of Clay"}, {"ko", "흙의 집"}},
+                  .date = "2026-11-28",
+                  .identifier = "onggi-session:0123456789abcdef",
+                  .relation = "Moon jar, British Museum (1333756)",
+                  .tool = std::string(exporter::program_name())},
+        .extras = {{"glaze", "celadon"}, {"date", "2026-11-28"}, {"session_hash", "0123456789abcdef"}}};
+    const std::filesystem::path place = folder / "told";
+    const auto worn = look::lathe_look(wheel::clay_material(pot.clay.lump().body, pot.stage), "clay");
+    asset::Image picture{.width = 64, .height = 64, .rgba = std::vector<std::uint8_t>(64 * 64 * 4, 200)};
+    const auto png = asset::encode_png(picture);
+    auto film = asset::WebpFilm::create({.width = 64, .height = 64});
+    bool is_filmed = film && film->add(picture, 80);
+    picture.rgba[0] = 0;
+    is_filmed = is_filmed && film->add(picture, 80);
+    if (!png || !is_filmed) return false;
+    const auto webp = film->finish();
+    const auto built = exporter::viewed_solid(pot.clay, pot.stage);
+    if (!webp || !built || !write_print(place, exporter::pot_file(pot.clay, pot.stage, story)) ||
+        !write(folder / "told.png", asset::picture_about(*png, story.about)) ||
+        !write(folder / "told.webp", asset::picture_about(*webp, story.about)) ||
+        !write(folder / "told.glb", look::dressed_glb(pot.clay, pot.stage, worn, story)))
+        return false;
+    expected.push_back(
+        {{"name", "told"},
+         {"height_m", 1e-3 * clay::measure_pot(pot.clay.rings(), pot.clay.lump().body, pot.stage).height_mm},
+         {"hand_made", false},
+         {"dressed", true},
+         {"has_rights", true},
+         {"triangles", built->mesh.triangle_count()}});
+    return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -103,6 +145,7 @@ int main(int argc, char** argv) {
     for (const support::StudioSample& pot : support::all_studio_samples()) {
         if (!add_studio_pot(folder, pot, expected)) return 1;
     }
+    if (!add_told_pot(folder, support::all_studio_samples().front(), expected)) return 1;
     std::ofstream list(folder / "pots.json");
     list << expected.dump(1) << '\n';
     list.close();

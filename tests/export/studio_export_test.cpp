@@ -267,6 +267,42 @@ TEST(StudioExport, TellsTheWallEveryFiveMillimetresOfACylinder) {
     EXPECT_EQ(std::get<std::string>(find("body")), "stoneware");
 }
 
+// Corners at one height, about their own middle: the pot may stand beside the axis.
+double diameter_mm_at(const support::SolidMesh& mesh, double y_m) {
+    dvec3 middle(0.0);
+    std::vector<dvec3> corners;
+    for (const dvec3& at : mesh.positions_m)
+        if (std::abs(at.y - y_m) < 1e-6 && std::hypot(at.x, at.z) > 2e-3) corners.push_back(at);
+    for (const dvec3& at : corners)
+        middle += at / static_cast<double>(corners.size());
+    double radius_m = 0.0;
+    for (const dvec3& at : corners)
+        radius_m = std::max(radius_m, std::hypot(at.x - middle.x, at.z - middle.z));
+    return 2e3 * radius_m;
+}
+
+TEST(StudioExport, TellsTheDimensionsThatItsMeshHas) {
+    int measured = 0;
+    for (const StudioSample& pot : samples()) {
+        if (!pot.calm) continue;
+        const support::GlbFile file = glb_of(pot);
+        const auto said = [&](const char* name) {
+            return file.json.at("asset").at("extras").at(name).get<double>();
+        };
+        constexpr double kMostOffMm = 0.1;
+        const double height_m = file.stated_max_m.y;
+        EXPECT_NEAR(said("height_mm"), 1e3 * height_m, kMostOffMm) << pot.name;
+        EXPECT_NEAR(said("mouth_mm"), diameter_mm_at(file.mesh, height_m), kMostOffMm) << pot.name;
+        EXPECT_NEAR(said("foot_mm"), diameter_mm_at(file.mesh, 0.0), kMostOffMm) << pot.name;
+        double widest_mm = 0.0;
+        for (const dvec3& at : file.mesh.positions_m)
+            widest_mm = std::max(widest_mm, diameter_mm_at(file.mesh, at.y));
+        EXPECT_NEAR(said("max_diameter_mm"), widest_mm, kMostOffMm) << pot.name;
+        ++measured;
+    }
+    EXPECT_GE(measured, 4);
+}
+
 TEST(StudioExport, RefusesClayThatIsNoPot) {
     clay::StudioClay flat({.mass_g = 500.0});
     flat.set_wall(45.0, 5.0, 0.5, 0.8, 8);

@@ -65,9 +65,9 @@ TEST(Settings, OfEveryVersionKeepTheirMeaning) {
         EXPECT_EQ(config->staff.closes_after_s, 120.0);
         ++count;
     }
-    EXPECT_EQ(count, 10);
+    EXPECT_EQ(count, 11);
     EXPECT_EQ(test::content_of(test::in_checkout("assets/kiosk.toml")),
-              test::content_of(sample("settings/1.9.toml")))
+              test::content_of(sample("settings/1.10.toml")))
         << "settings that change want a version and a sample";
 }
 
@@ -129,27 +129,34 @@ TEST(Jars, OfVersion1AreGoneOnWith) {
     EXPECT_EQ(test::content_of(other / "jar.json"), test::content_of(sample("jar/1.json")));
 }
 
-TEST(Walls, OfVersion1AreReadWhetherTheySayItOrNot) {
+TEST(Walls, OfAllVersionsAreReadAndTheNewestIsWritten) {
     const test::TemporaryFolder folder;
-    for (const char* name : {"wall/1-unsaid.json", "wall/1.json"}) {
+    for (const char* name : {"wall/1-unsaid.json", "wall/1.json", "wall/2.json"}) {
         app::WallOfTheDay wall(sample(name));
         const auto opened = wall.open("2026-11-24");
         ASSERT_TRUE(opened) << opened.error().message;
-        ASSERT_EQ(wall.pots().size(), 1U);
+        ASSERT_FALSE(wall.pots().empty());
         EXPECT_EQ(wall.pots()[0].gallery_name, "2026-11-24/pot-001");
         EXPECT_EQ(wall.pots()[0].glaze, 3);
         EXPECT_EQ(wall.pots()[0].shape.outside.size(), 3U);
+        EXPECT_FALSE(wall.pots()[0].shape.off_round);
         app::WallOfTheDay written(folder / "wall.json");
-        ASSERT_TRUE(written.put(wall.pots()[0], "2026-11-24"));
-        EXPECT_EQ(test::content_of(folder / "wall.json"), test::content_of(sample("wall/1.json")));
+        for (const app::WallPot& pot : wall.pots())
+            ASSERT_TRUE(written.put(pot, "2026-11-24"));
     }
+    EXPECT_EQ(test::content_of(folder / "wall.json"), test::content_of(sample("wall/2.json")));
+    app::WallOfTheDay newest(folder / "wall.json");
+    ASSERT_TRUE(newest.open("2026-11-24"));
+    ASSERT_EQ(newest.pots().size(), 2U);
+    ASSERT_TRUE(newest.pots()[1].shape.off_round);
+    EXPECT_FLOAT_EQ(newest.pots()[1].shape.off_round->centre_at(1.0F).x, 1.83F);
     auto later = nlohmann::json::parse(test::content_of(sample("wall/1.json")));
-    later["format"] = 2;
+    later["format"] = 3;
     test::put_file(folder / "wall.json", later.dump());
     app::WallOfTheDay wall(folder / "wall.json");
     const auto refused = wall.open("2026-11-24");
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.find("of format 1, found 2"), std::string::npos);
+    EXPECT_NE(refused.error().message.find("of format 1 to 2, found 3"), std::string::npos);
     EXPECT_TRUE(wall.pots().empty());
 }
 

@@ -109,6 +109,7 @@ TEST_F(KioskFilmTest, IsDroppedWithItsProcessByTheNext) {
 
 // A page is published without waiting for a late film.
 TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
+    settings_.config.sharing.publisher = {{"", "House of Clay"}};
     KioskPhone phone(settings_, test::in_build("onggi"), 0);
     ASSERT_TRUE(phone.start());
     const fs::path session = phone.session_place();
@@ -127,7 +128,8 @@ TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
     let_makers_compete();
     EXPECT_TRUE(test::comes_true([&] { return !fs::exists(making); }, kPatience))
         << "nothing of a visit stays behind";
-    EXPECT_TRUE(fs::exists(place / "film.webp"));
+    for (const char* picture : {"film.webp", "still.webp", "poster.webp"})
+        EXPECT_NE(test::content_of(place / picture).find("House of Clay"), std::string::npos) << picture;
     EXPECT_NE(test::content_of(place / "index.html").find("href=\"film.webp\""), std::string::npos);
 }
 

@@ -1,13 +1,15 @@
-// make_outbox SESSION FOLDER [--glaze NAME] [--decorated] [--poster FILE] [--film FILE] [--surface FILE]
-// [--url URL]: puts the pot that a session left into the outbox FOLDER/box, as the kiosk does, with Korean,
-// English and Arabic pages, for checks that other programs make; and copies the published files to
-// FOLDER/pot.glb and so on. Prints the code.
+// make_outbox SESSION|SAMPLE FOLDER [--glaze NAME] [--decorated] [--poster FILE] [--film FILE] [--surface
+// FILE]
+// [--url URL]: puts the pot that a session left, or one of tests/support/studio_samples.h by its name, into
+// the outbox FOLDER/box, as the kiosk does, with Korean, English and Arabic pages, for checks that other
+// programs make; and copies the published files to FOLDER/pot.glb and so on. Prints the code.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/asset/image.h"
@@ -20,6 +22,7 @@
 #include "game/exporter/studio_export.h"
 #include "game/finish/glaze.h"
 #include "game/haptic/pot_copy.h"
+#include "tests/support/studio_samples.h"
 #include "tests/unit/screens/sample_decorations.h"
 
 namespace {
@@ -50,12 +53,18 @@ decoration::Marks cranes_on(const clay::StudioClay& clay) {
     return decoration::Canvas::of(wall, strokes).value().marks();
 }
 
+Result<std::optional<clay::StudioClay>> clay_of(const std::string& session) {
+    for (const support::StudioSample& sample : support::all_studio_samples())
+        if (sample.name == session) return std::optional(sample.clay);
+    return app::start_pot({.on = session});
+}
+
 Result<sharing::ShareCode> put(const Words& words) {
     auto settings = app::load_settings("");
     if (!settings) return settings.error();
     settings->config.sharing.outbox = (words.folder / "box").string();
     settings->config.sharing.public_url = words.url;
-    const auto clay = app::start_pot({.on = words.session});
+    const auto clay = clay_of(words.session);
     if (!clay) return clay.error();
     screens::FiredPot fired = app::fired_pot(**clay, settings->targets, settings->relatives);
     if (words.decorated) fired.shape.marks = std::make_shared<const decoration::Marks>(cranes_on(**clay));

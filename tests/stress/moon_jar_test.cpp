@@ -83,7 +83,7 @@ class MoonJar : public testing::Test {
         ASSERT_TRUE(second) << second.error().message;
         const auto joined = clay::join_pots(
             **second, **first,
-            {.mouth_mm = clay::bore_at_width_mm(**first, note.at("mouth_mm").get<double>()),
+            {.bore_mm = clay::bore_at_width_mm(**first, note.at("mouth_mm").get<double>()),
              .shift_mm = {note.at("shift_mm").at(0).get<double>(), note.at("shift_mm").at(1).get<double>()}});
         ASSERT_TRUE(joined) << joined.error().message;
         const auto session = load_session((kept / "pot.onggi").string());

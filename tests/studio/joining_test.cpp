@@ -169,7 +169,7 @@ TEST(Joining, BlendsDifferentRimsOnlyNearTheSeam) {
 
 TEST(Joining, OpensTheMouthAsWideAsAsked) {
     const StudioClay upper = flared(30.0, 60.0, 6.0, 90.0);
-    const auto pot = join_pots(flared(35.0, 60.0, 6.0, 70.0), upper, {.mouth_mm = 80.0});
+    const auto pot = join_pots(flared(35.0, 60.0, 6.0, 70.0), upper, {.bore_mm = 80.0});
     ASSERT_TRUE(pot) << pot.error().message;
     EXPECT_NEAR(2.0 * pot->inner_mm().back(), 80.0, 0.3);
     EXPECT_GE(2.0 * pot->inner_mm().back(), 80.0);
@@ -246,7 +246,7 @@ TEST(Joining, RefusesRimsThatDoNotMeet) {
               std::string::npos);
     EXPECT_NE(refusal(good, bowl(30.0, 6.0, 60.0)).find("expected rims that meet, found 94.0 mm"),
               std::string::npos);
-    EXPECT_NE(refusal(good, good, {.mouth_mm = 200.0}).find("expected a mouth narrower"), std::string::npos);
+    EXPECT_NE(refusal(good, good, {.bore_mm = 200.0}).find("expected a mouth narrower"), std::string::npos);
     StudioClay heavy({.mass_g = 4800.0});
     heavy.set_wall(50.0, 6.0, kFloorMm, 60.0, 400);
     EXPECT_NE(refusal(good, heavy).find("both pots together"), std::string::npos);

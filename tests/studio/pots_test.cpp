@@ -127,7 +127,7 @@ TEST(Pot, KnowsItsWeightItsCapacityAndItsWalls) {
     EXPECT_NEAR(wet.capacity_ml, 465.66, 0.5);
     EXPECT_NEAR(wet.thinnest_wall_mm, 6.5, 1e-9);
     EXPECT_NEAR(wet.thickest_wall_mm, 6.5, 1e-9);
-    EXPECT_NEAR(wet.mouth_mm, 77.0, 1e-9);
+    EXPECT_NEAR(wet.mouth_mm, 90.0, 1e-9);
     EXPECT_NEAR(wet.foot_mm, 90.0, 1e-9);
     EXPECT_NEAR(wall_thickness_mm(bench.clay.rings(), 50.0), 6.5, 1e-9);
     EXPECT_NEAR(wall_thickness_mm(bench.clay.rings(), 5.0), 45.0, 1e-9);

@@ -138,27 +138,29 @@ Result<ThreeMfFile> read_3mf(std::span<const std::byte> bytes) {
     }
 }
 
-// APPNOTE 6.3.10, section 4.3: the directory at the end names every part. Sizes and places are in the ZIP64
-// records, as lib3mf writes them.
+// APPNOTE 6.3.10, section 4.3: the directory at the end names every part. A part's own head may use ZIP64.
 std::map<std::string, std::string> zip_parts(std::span<const std::byte> bytes) {
-    constexpr std::uint32_t kEnd = 0x06064b50;
+    constexpr std::uint32_t kEnd = 0x06054b50;
     constexpr std::uint32_t kEntry = 0x02014b50;
+    constexpr std::size_t kEndBytes = 22;  // without a comment
     constexpr std::size_t kEntryBytes = 46;
     constexpr std::size_t kHeadBytes = 30;
-    constexpr std::size_t kEndLocatorBytes = 20 + 22;  // and the older record behind it, without a comment
     constexpr std::uint16_t kDeflated = 8;
-    if (bytes.size() < kEndLocatorBytes) throw std::runtime_error("ZIP: cut short");
-    const auto end = word_at<std::uint64_t>(bytes, bytes.size() - kEndLocatorBytes + 8);
+    if (bytes.size() < kEndBytes) throw std::runtime_error("ZIP: cut short");
+    const std::size_t end = bytes.size() - kEndBytes;
     if (word_at<std::uint32_t>(bytes, end) != kEnd) throw std::runtime_error("ZIP: no directory");
     std::map<std::string, std::string> parts;
-    std::size_t at = word_at<std::uint64_t>(bytes, end + 48);
-    for (auto left = word_at<std::uint64_t>(bytes, end + 32); left > 0; --left) {
+    std::size_t at = word_at<std::uint32_t>(bytes, end + 16);
+    for (auto left = word_at<std::uint16_t>(bytes, end + 10); left > 0; --left) {
         if (word_at<std::uint32_t>(bytes, at) != kEntry) throw std::runtime_error("ZIP: no entry");
         const auto name_bytes = word_at<std::uint16_t>(bytes, at + 28);
-        const std::size_t extra = at + kEntryBytes + name_bytes;
-        const auto size = word_at<std::uint64_t>(bytes, extra + 4);
-        const auto packed = word_at<std::uint64_t>(bytes, extra + 12);
-        const auto head = word_at<std::uint64_t>(bytes, extra + 20);
+        const auto packed = word_at<std::uint32_t>(bytes, at + 20);
+        const auto size = word_at<std::uint32_t>(bytes, at + 24);
+        const auto head = word_at<std::uint32_t>(bytes, at + 42);
+        const auto date = word_at<std::uint16_t>(bytes, at + 14);
+        if ((date & 31U) == 0 || ((date >> 5U) & 15U) == 0 ||
+            word_at<std::uint16_t>(bytes, head + 12) != date)
+            throw std::runtime_error("ZIP: expected a date");
         const std::size_t data = head + kHeadBytes + word_at<std::uint16_t>(bytes, head + 26) +
                                  word_at<std::uint16_t>(bytes, head + 28);
         if (data + packed > bytes.size()) throw std::runtime_error("ZIP: cut short");
@@ -169,8 +171,10 @@ std::map<std::string, std::string> zip_parts(std::span<const std::byte> bytes) {
             ::crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
         if (crc != word_at<std::uint32_t>(bytes, at + 16)) throw std::runtime_error("ZIP: a damaged part");
         parts[std::string(reinterpret_cast<const char*>(bytes.data()) + at + kEntryBytes, name_bytes)] = text;
-        at = extra + word_at<std::uint16_t>(bytes, at + 30) + word_at<std::uint16_t>(bytes, at + 32);
+        at += kEntryBytes + name_bytes + word_at<std::uint16_t>(bytes, at + 30) +
+              word_at<std::uint16_t>(bytes, at + 32);
     }
+    if (at != end) throw std::runtime_error("ZIP: expected the end behind the directory");
     return parts;
 }
 

@@ -74,7 +74,7 @@ Jar make_jar(const heritage::Target& target, std::uint64_t seed) {
     const double shift_mm = std::normal_distribution<double>(0.0, 2.0)(chance);
     auto jar = clay::join_pots(
         second, first,
-        {.mouth_mm = clay::bore_at_width_mm(first, after.mouth_mm), .shift_mm = {shift_mm, 0.0}});
+        {.bore_mm = clay::bore_at_width_mm(first, after.mouth_mm), .shift_mm = {shift_mm, 0.0}});
     if (!jar) {
         made.why_not = jar.error().message;
         return made;

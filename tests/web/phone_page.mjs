@@ -1,8 +1,8 @@
 // node phone_page.mjs ONGGI MAKE_OUTBOX SESSION FOLDER: opens a shared pot's page as phones and tablets do, in every
 // language, by the kiosk's server and by a plain web server, and looks at what arrived. Writes screenshots.
-import { mkdir, readFile, rm } from 'node:fs/promises';
+import { mkdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { expect, launch, PATIENCE, SLOWNESS, watch } from './browser.mjs';
-import { difference, makePictures } from './phone_pictures.mjs';
+import { difference, makePictures, silhouette } from './phone_pictures.mjs';
 import { makeOutbox, serveByOnggi, serveByPython } from './phone_programs.mjs';
 import { tooFaint, tooSmall, unnamed } from './phone_rules.mjs';
 
@@ -152,6 +152,66 @@ CHECKS['less motion, and saved data'] = async ({ browser, own, code }) => {
     expect(!asked.includes('surface.webp'), 'expected no texture to be fetched');
     await context.close();
     return 'at rest; poster only';
+};
+
+/** The stage of 480 pixels as poster or as drawn, on a ground of one colour, with the board where the poster has it. */
+async function shownAlone(page, which) {
+    await page.addStyleTag({ content: `.stage { width: 359px !important; height: 359px !important; min-height: 0 !important;
+        max-height: none !important; margin: 0 !important; background: #00f !important; }
+        .stage::before, .stage::after, .stage button { display: none !important; }
+        .stage > ${which === 'canvas' ? 'img' : 'canvas'} { visibility: hidden !important; }
+        .stage > ${which} { visibility: visible !important; }` });
+    await page.evaluate(() => dispatchEvent(new Event('resize')));
+    await page.waitForTimeout(300 * SLOWNESS);
+    return page.locator('#stage').screenshot();
+}
+
+/** Within how many pixels, in any direction, each covered pixel of one silhouette has a covered one of the other. */
+function mostApart(one, other) {
+    const isWithin = (rows, around, px) => rows.every((row, y) => {
+        const near = around.slice(Math.max(0, y - px), y + px + 1).filter(Boolean);
+        return !row || (near.length > 0 && row[0] >= Math.min(...near.map(([left]) => left)) - px &&
+            row[1] <= Math.max(...near.map(([, right]) => right)) + px);
+    });
+    let px = 0;
+    while (px < 20 && !(isWithin(one, other, px) && isWithin(other, one, px))) px += 1;
+    return px;
+}
+
+/** Silhouettes of a dented and of a round pot on the page, which must be those of their posters. */
+async function posterAndPage(browser, own, put) {
+    const found = [];
+    for (const sample of ['studio_dented', 'studio_cylinder']) {
+        const code = await makeOutbox(makeProgram, sample, put, ['--glaze', 'porcelain']);
+        const look = { viewport: { width: 500, height: 900 }, deviceScaleFactor: 480 / 359, reducedMotion: 'reduce', bypassCSP: true };
+        const silhouettes = [];
+        for (const which of ['img', 'canvas']) {
+            const { context, page } = await opened(browser, own.origin, `/${code}/`, look);
+            const png = await shownAlone(page, which);
+            await writeFile(`${folder}/${sample}-${which}.png`, png);
+            silhouettes.push(await silhouette(browser, png));
+            await context.close();
+        }
+        const apart = mostApart(...silhouettes);
+        expect(apart <= 1, `${sample}: expected page and poster within a pixel, found ${apart}`);
+        found.push(silhouettes[1]);
+    }
+    return found;
+}
+
+CHECKS['a pot that is not round'] = async ({ browser }) => {
+    const found = [];
+    const apart = `${folder}/off-round`;  // its files are others
+    await makeOutbox(makeProgram, 'studio_dented', apart);
+    const own = await serveByOnggi(onggi, `${apart}/box`);
+    try {
+        found.push(...await posterAndPage(browser, own, apart));
+    } finally {
+        await own.stop();
+    }
+    const [dented, round] = found;
+    expect(mostApart(dented, round) > 1, 'expected a dented pot to be another than a round one');
+    return 'page and poster within a pixel, dented and round';
 };
 
 CHECKS['a code that is none'] = async ({ browser, own, code }) => {

@@ -30,6 +30,29 @@ export async function makePictures(browser, folder) {
     await page.close();
 }
 
+/** Of each row of a PNG that shows something else than its first pixel, the first and the last such pixel. */
+export async function silhouette(browser, png) {
+    const page = await browser.newPage();
+    const rows = await page.evaluate(async (url) => {
+        const picture = new Image();
+        picture.src = url;
+        await picture.decode();
+        const canvas = Object.assign(document.createElement('canvas'), { width: picture.width, height: picture.height });
+        const context = canvas.getContext('2d');
+        context.drawImage(picture, 0, 0);
+        const { data } = context.getImageData(0, 0, picture.width, picture.height);
+        // Half covered: as far from the ground as a pot's pixel may be near to it.
+        const shows = (at) => [0, 1, 2].reduce((sum, c) => sum + Math.abs(data[at + c] - data[c]), 0) > 190;
+        return Array.from({ length: picture.height }, (_, y) => {
+            const found = [];
+            for (let x = 0; x < picture.width; x += 1) if (shows(4 * (y * picture.width + x))) found.push(x);
+            return found.length ? [found[0], found[found.length - 1]] : null;
+        });
+    }, `data:image/png;base64,${png.toString('base64')}`);
+    await page.close();
+    return rows;
+}
+
 /** How a PNG looks: the share of its pixels that another lacks, and their mean; each 0 to 1. */
 export async function difference(browser, one, other) {
     const page = await browser.newPage();

@@ -138,7 +138,7 @@ void add_start_pot_options(CLI::App& command, StartPot& options) {
                             ->type_name("SESSION.onggi")
                             ->needs(on);
     constexpr double kWidestMouthMm = 290.0;
-    add_number_option(command, "--mouth", options.mouth_mm, 1.0, kWidestMouthMm,
+    add_number_option(command, "--mouth", options.bore_mm, 1.0, kWidestMouthMm,
                       "cut the joined pot open this wide inside, mm (as wide as its floor was)")
         ->needs(join);
 }

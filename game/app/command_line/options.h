@@ -22,7 +22,7 @@ struct StartPot {
     std::optional<std::string> on = {};  // a session whose pot is put back on the wheel
     std::optional<std::string> joined =
         {};  // another session, whose pot is turned upside down and joined rim to rim
-    std::optional<double> mouth_mm = {};  // the opening cut into the joined pot; inside diameter
+    std::optional<double> bore_mm = {};  // the opening cut into the joined pot; inside diameter
 };
 
 // The input of a throw: a hand's path and, for a gesture, the rate and the clay, which its file does not

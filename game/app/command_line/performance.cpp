@@ -133,7 +133,7 @@ Result<std::optional<clay::StudioClay>> start_pot(const StartPot& options) {
     if (!options.joined) return std::optional(std::move(lower).value());
     auto upper = pot_left_by(*options.joined);
     if (!upper) return upper.error();
-    auto pot = clay::join_pots(*lower, *upper, {.mouth_mm = options.mouth_mm.value_or(0.0)});
+    auto pot = clay::join_pots(*lower, *upper, {.bore_mm = options.bore_mm.value_or(0.0)});
     if (!pot) return pot.error();
     return std::optional(std::move(pot).value());
 }

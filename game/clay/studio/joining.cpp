@@ -31,13 +31,13 @@ Result<void> check_has_rim(const Rings& rings, std::string_view which) {
 }
 
 // Finds the first ring of the upper pot, from its floor, that stays: the new mouth.
-Result<int> first_kept(const Rings& upper, double mouth_mm) {
+Result<int> first_kept(const Rings& upper, double bore_mm) {
     int kept = upper.first_hollow;
-    while (kept < upper.count && 2.0 * upper.inner_mm[Rings::at(kept)] < mouth_mm)
+    while (kept < upper.count && 2.0 * upper.inner_mm[Rings::at(kept)] < bore_mm)
         ++kept;
     if (kept + 1 < upper.count) return kept;
     return bad_input(
-        fmt::format("joining: expected a mouth narrower than the upper pot inside, found {} mm", mouth_mm));
+        fmt::format("joining: expected a mouth narrower than the upper pot inside, found {} mm", bore_mm));
 }
 
 // 1 at the seam, 0 and flat from `reach` away.
@@ -130,7 +130,7 @@ Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, c
     if (auto rim = check_has_rim(above, "upper"); !rim) return rim.error();
     if (below.sectors != above.sectors || lower.lump_.body != upper.lump_.body)
         return bad_input("joining: expected two pots of one clay body and as many sectors");
-    const auto kept = first_kept(above, joining.mouth_mm);
+    const auto kept = first_kept(above, joining.bore_mm);
     if (!kept) return kept.error();
     const int lower_rim = below.count - 1;
     const double step = rim_step_mm(lower, upper);

@@ -9,7 +9,7 @@ namespace onggi::clay {
 
 struct Joining {
     // The upper pot's floor is cut out, and its wall up to where it is this wide inside; 0: only the floor.
-    double mouth_mm = 0.0;
+    double bore_mm = 0.0;
     // Rims that differ are blended towards each other over this length of both walls.
     double eased_mm = 15.0;
     double largest_step_mm = 8.0;  // of the walls' mean radii at the rims; a larger step cannot be blended
@@ -34,7 +34,7 @@ Result<StudioClay> join_pots(const StudioClay& lower, const StudioClay& upper, c
 // both have rings.
 [[nodiscard]] double rim_step_mm(const StudioClay& lower, const StudioClay& upper);
 
-// Inner diameter of a pot at the lowest height where its outer diameter reaches outside_mm: the mouth_mm for
+// Inner diameter of a pot at the lowest height where its outer diameter reaches outside_mm: the bore_mm for
 // a mouth of that outer width. Returns 0 if the foot is as wide, or if no part is.
 [[nodiscard]] double bore_at_width_mm(const StudioClay& pot, double outside_mm);
 

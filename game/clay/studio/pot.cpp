@@ -54,7 +54,7 @@ PotMeasures measure_pot(const studio::Rings& rings, ClayBody body, Firing stage)
     pot.height_mm = rings.top_mm() * scale;
     pot.floor_mm = rings.floor_mm() * scale;
     pot.foot_mm = 2.0 * rings.outer_mm.front() * scale;
-    pot.mouth_mm = 2.0 * rings.inner_mm[studio::Rings::at(rings.count - 1)] * scale;
+    pot.mouth_mm = 2.0 * rings.outer_mm[studio::Rings::at(rings.count - 1)] * scale;
     double hollow_mm3 = 0.0;
     for (int i = 0; i < rings.count; ++i) {
         const std::size_t at = studio::Rings::at(i);

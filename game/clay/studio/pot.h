@@ -20,7 +20,7 @@ double wet_scale_of_fired(ClayBody body);
 struct PotMeasures {
     double mass_g = 0.0;  // wet
     double height_mm = 0.0;
-    double widest_mm = 0.0;  // diameters
+    double widest_mm = 0.0;  // outer diameters, as museums measure: the largest, at the rim, at the foot
     double mouth_mm = 0.0;
     double foot_mm = 0.0;
     double floor_mm = 0.0;

@@ -37,6 +37,8 @@ struct Exhibit {
     int glaze = 0;
     pot::Section shape;
     std::shared_ptr<const ExhibitCard> card{};  // may be null
+    std::string record{};  // "Moon jar, Joseon, 18th c., British Museum (1333756)", as the tables name it
+    std::string source{};  // of its dimensions
 };
 
 // The visitor's pot, as fired.

@@ -22,15 +22,10 @@ PotExtent pot_extent(const pot::Section& shape, float px_per_mm, float elevation
 }
 
 PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
-                     float elevation_rad) {
-    const LitPot pot(shape, glaze, px_per_mm, elevation_rad);
+                     float elevation_rad, double turn) {
+    const LitPot pot(shape, glaze, px_per_mm, elevation_rad, turn);
     PotPicture picture{.painting = empty_painting(pot.view.extent()), .foot_px = pot.view.extent().foot_px};
-    std::vector<PotPixel> pixels;  // one band at a time: the pixels of a large picture take many MB
-    pot.view.visit_bands([&](const PotSamples& samples) {
-        pixels.clear();
-        add_pixels(samples, pot, pixels);
-        paint_pixels(pixels, pot.colours, 0.0, picture.painting);
-    });
+    paint_view(pot.view, pot, turn, picture.painting);
     return picture;
 }
 

@@ -22,8 +22,8 @@ struct PotPicture {
     vec2 foot_px{0.0F};
 };
 
-// elevation_rad: of the eye above the horizon.
+// elevation_rad: of the eye above the horizon. The pot is turned by `turn` turns.
 [[nodiscard]] PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze,
-                                   float px_per_mm, float elevation_rad);
+                                   float px_per_mm, float elevation_rad, double turn = 0.0);
 
 }  // namespace onggi::screens

@@ -113,10 +113,10 @@ vec3 PotColours::at(float row, float column) const {
 }
 
 LitPot::LitPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
-               float elevation_rad)
+               float elevation_rad, double turn)
     : drawn_on(shape),
       shading(glaze, shape.height_mm(), elevation_rad, drawn_on),
-      view(shape, px_per_mm, elevation_rad),
+      view(shape, px_per_mm, elevation_rad, static_cast<float>(turn)),
       colours(shape.height_mm(), glaze, shading, view.extent(), drawn_on.texture() != nullptr) {}
 
 void add_pixels(const PotSamples& samples, const LitPot& pot, std::vector<PotPixel>& pixels) {
@@ -158,6 +158,15 @@ void paint_pixels(const std::vector<PotPixel>& pixels, const PotColours& colours
             to[channel] = static_cast<std::uint8_t>(encode(light[channel]) * pixel.cover + 0.5F);
         to[3] = static_cast<std::uint8_t>(255.0F * pixel.cover + 0.5F);
     }
+}
+
+void paint_view(const PotView& view, const LitPot& pot, double turn, ui::Painting& painting) {
+    std::vector<PotPixel> pixels;
+    view.visit_bands([&](const PotSamples& samples) {
+        pixels.clear();
+        add_pixels(samples, pot, pixels);
+        paint_pixels(pixels, pot.colours, turn, painting);
+    });
 }
 
 ui::Painting empty_painting(const PotExtent& extent) {

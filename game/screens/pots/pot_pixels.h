@@ -57,7 +57,7 @@ struct PotPixel {
 // A finished pot in one view and one light.
 struct LitPot {
     LitPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
-           float elevation_rad);
+           float elevation_rad, double turn = 0.0);
     LitPot(const LitPot&) = delete;  // its shading points to its decoration
     LitPot& operator=(const LitPot&) = delete;
 
@@ -73,6 +73,10 @@ void add_pixels(const PotSamples& samples, const LitPot& pot, std::vector<PotPix
 // Writes the pixels into a painting of the picture's size.
 void paint_pixels(const std::vector<PotPixel>& pixels, const PotColours& colours, double turn,
                   ui::Painting& painting);
+
+// Paints a whole view of the pot, a band at a time, because the pixels of a large picture take many MB.
+// `turn` is the view's.
+void paint_view(const PotView& view, const LitPot& pot, double turn, ui::Painting& painting);
 
 // Returns a transparent painting.
 [[nodiscard]] ui::Painting empty_painting(const PotExtent& extent);

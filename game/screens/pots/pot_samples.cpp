@@ -94,18 +94,46 @@ std::vector<vec2> refined(const std::vector<vec2>& points, float most_mm) {
     return fine;
 }
 
-// The section as one line: up the outside and down the inside to the floor.
-pot::Walk walk_of(const pot::Section& shape, float row_mm) {
+// The rows' centres and dents as a picture shows them: the builder's direction 0 is at the back, and `front`
+// is the clay's direction in front, in turns.
+void put_off_round(pot::Walk& walk, const pot::Section& shape, float front, int corners) {
+    constexpr double kLeastRadiusMm = 0.5;  // no dent pushes a wall through the axis
+    const pot::OffRound& map = *shape.off_round;
+    const float height_mm = std::max(shape.height_mm(), 1e-3F);
+    const float at_corner_0 = front - 0.5F;
+    const vec2 way(std::cos(kTurnF * at_corner_0), std::sin(kTurnF * at_corner_0));
+    for (pot::SurfaceRow& row : walk.rows) {
+        const float part = static_cast<float>(row.y_mm) / height_mm;
+        const vec2 centre = map.centre_at(part);
+        row.centre_mm = {centre.x * way.x + centre.y * way.y, centre.y * way.x - centre.x * way.y};
+        for (int k = 0; k < corners && !map.dents_mm.empty(); ++k) {
+            const float turns = at_corner_0 + static_cast<float>(k) / static_cast<float>(corners);
+            row.dents_mm.push_back(
+                std::max(double{map.dent_at(part, turns)}, std::min(kLeastRadiusMm - row.radius_mm, 0.0)));
+        }
+    }
+}
+
+// The section as one line: up the outside and down the inside to the floor, without rows that are nearer than
+// half a pixel.
+pot::Walk walk_of(const pot::Section& shape, float px_per_mm) {
+    const double nearest_mm = std::max(pot::kNearestRowsMm, 0.5 / double{px_per_mm});
     pot::Walk walk;
     for (const std::vector<vec2>* side : {&shape.outside, &shape.inside}) {
-        for (const vec2& point : refined(*side, row_mm)) {
+        const std::vector<vec2> points = refined(*side, finest_mm(px_per_mm));
+        const std::size_t first = walk.rows.size();
+        for (const vec2& point : points) {
             const pot::SurfaceRow row{
                 .y_mm = double{point.y}, .radius_mm = double{point.x}, .inside = side == &shape.inside};
             // A line that reaches the axis ends in a disc.
-            const bool is_point = row.radius_mm < pot::kNarrowestOpeningMm;
-            const bool is_new =
-                walk.rows.empty() || distance_mm(walk.rows.back(), row) >= pot::kNearestRowsMm;
-            if (!is_point && is_new) walk.rows.push_back(row);
+            if (row.radius_mm < pot::kNarrowestOpeningMm) continue;
+            const auto is_near = [&](double within_mm) {
+                return !walk.rows.empty() && distance_mm(walk.rows.back(), row) < within_mm;
+            };
+            if (walk.rows.size() > first + 1 && &point == &points.back() && is_near(nearest_mm))
+                walk.rows.pop_back();
+            if (!is_near(walk.rows.size() > first ? nearest_mm : pot::kNearestRowsMm))
+                walk.rows.push_back(row);
         }
     }
     return walk;
@@ -113,19 +141,21 @@ pot::Walk walk_of(const pot::Section& shape, float row_mm) {
 
 }  // namespace
 
-PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad)
+PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad, float turn)
     : extent_(pot_extent(shape, px_per_mm, elevation_rad)) {
-    const pot::Walk walk = walk_of(shape, finest_mm(px_per_mm));
+    pot::Walk walk = walk_of(shape, px_per_mm);
     if (walk.rows.empty()) return;
+    const int corners = corners_of(shape.radius_mm() * px_per_mm);
+    if (shape.off_round) put_off_round(walk, shape, shape.front_turns() + turn, corners);
     // Unwrapped: each corner has a single angle.
-    pot::SurfaceBuilder surface(corners_of(shape.radius_mm() * px_per_mm), true);
+    pot::SurfaceBuilder surface(corners, true);
     surface.add_walk(walk);
     surface.finish_normals();
     const float scale = px_per_mm * kSamplesAcross;
     const float sine = std::sin(elevation_rad);
     const float cosine = std::cos(elevation_rad);
     const vec2 origin = extent_.foot_px * static_cast<float>(kSamplesAcross);
-    // The clay's direction 0 is at the back, where the seam between the first and last corner is hidden.
+    // The first corner is at the back, where the seam between it and the last one is hidden.
     const auto turned = [](const dvec3& way) { return vec3(way.z, way.y, -way.x); };
     corners_.resize(surface.positions_mm.size());
     for (const pot::SurfaceBuilder::Strip& strip : surface.strips()) {

@@ -46,11 +46,11 @@ struct PotBand {
     int height_px = std::numeric_limits<int>::max();  // to the picture's end
 };
 
-// A pot in an orthographic view, elevation_rad above the horizon. The surface is built once, the samples per
-// band. A sample is bit-identical in every band.
+// A pot in an orthographic view, elevation_rad above the horizon, turned by `turn` turns. The surface is
+// built once, the samples per band. A sample is bit-identical in every band.
 class PotView {
   public:
-    PotView(const pot::Section& shape, float px_per_mm, float elevation_rad);
+    PotView(const pot::Section& shape, float px_per_mm, float elevation_rad, float turn = 0.0F);
 
     [[nodiscard]] const PotExtent& extent() const { return extent_; }
     [[nodiscard]] PotSamples samples(const PotBand& band = {}) const;

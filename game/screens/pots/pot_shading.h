@@ -32,7 +32,7 @@ class DrawnOn {
     explicit DrawnOn(const pot::Section& shape) {
         if (!shape.marks) return;
         texture_.emplace(decoration::texture_of(*shape.marks));
-        front_ = decoration::front_of(shape.marks->recorded.strokes);
+        front_ = shape.front_turns();
     }
     // The texel at an angle about the axis, 0 in front. Precondition: there is a decoration.
     [[nodiscard]] const decoration::Texel& at(float angle, float height_fraction) const {

@@ -108,6 +108,24 @@ TEST_F(GalleryTest, KeepsAPotWholeUnderTheNextNumberOfTheDay) {
         EXPECT_GT(fs::file_size(folder_.path() / "2026-11-22/pot-008" / file), 50U) << file;
 }
 
+TEST_F(GalleryTest, WritesThePotsStoryIntoItsFiles) {
+    Gallery gallery(config_of(folder_.path()));
+    const Cut cut;
+    PotToKeep pot = cut.pot();
+    pot.story.about = {.title = {{"en", "Moon jar, celadon"}}, .publisher = {{"en", "House of Clay"}}};
+    pot.story.extras = {{"glaze", "celadon"}};
+    const std::string hash = fmt::format("{:016x}", cut.history.state().hash());
+    ASSERT_TRUE(gallery.keep(std::move(pot), "2026-11-22"));
+    const fs::path place = folder_.path() / "2026-11-22/pot-001";
+    for (const char* file : {"pot.glb", "pot.png"}) {
+        const std::string bytes = test::content_of(place / file);
+        for (const std::string& said : {std::string("House of Clay"), std::string("2026-11-22"), hash})
+            EXPECT_NE(bytes.find(said), std::string::npos) << file << " lacks " << said;
+    }
+    EXPECT_NE(test::content_of(place / "pot.stl").substr(0, 80).find("Moon jar, celadon, "),
+              std::string::npos);
+}
+
 TEST_F(GalleryTest, DeletesTheOldestWhenItIsFull) {
     for (const char* name : {"2026-11-20/pot-001", "2026-11-21/pot-001", "2026-11-21/pot-002"})
         put_pot(folder_.path(), name);

@@ -40,6 +40,21 @@ TEST_F(WallTest, OutlivesAStartInTheMiddleOfADayAndNoNight) {
     EXPECT_TRUE(tomorrow.pots().empty());
 }
 
+TEST_F(WallTest, KeepsHowAPotIsOffRound) {
+    pot::OffRound map{.centre_mm = {{0.0F, 0.0F}, {1.83F, -0.7F}},
+                      .dents_mm = std::vector<float>(2 * pot::OffRound::kCorners, 0.0F)};
+    map.dents_mm.back() = -2.34F;
+    WallPot pot = pot_called("pot-001");
+    pot.shape.off_round = std::make_shared<const pot::OffRound>(map);
+    ASSERT_TRUE(wall_.open(kToday));
+    ASSERT_TRUE(wall_.put(pot, kToday));
+    WallOfTheDay later(file_);
+    ASSERT_TRUE(later.open(kToday));
+    ASSERT_TRUE(later.pots().at(0).shape.off_round);
+    EXPECT_EQ(later.pots()[0].shape.hash(), pot.shape.hash()) << "to the bit";
+    EXPECT_FLOAT_EQ(later.pots()[0].shape.off_round->dent_at(1.0F, -1.0F / pot::OffRound::kCorners), -2.34F);
+}
+
 TEST_F(WallTest, HoldsEachPotOnceAndTheNewestOfThem) {
     for (int i = 0; i < 30; ++i)
         ASSERT_TRUE(wall_.put(pot_called("pot-" + std::to_string(i)), kToday));

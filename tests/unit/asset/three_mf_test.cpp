@@ -78,6 +78,19 @@ TEST(ThreeMf, KeepsAnyText) {
         std::string::npos);
 }
 
+TEST(ThreeMf, SaysWhoseItIs) {
+    const std::string model = model_with({.title = "a pot",
+                                          .description = "",
+                                          .application = "Onggi 0",
+                                          .copyright = "House of Clay",
+                                          .licence_terms = "CC BY 4.0",
+                                          .creation_date = "2026-11-28"});
+    for (const char* said : {"name=\"Copyright\"", ">House of Clay<", "name=\"LicenseTerms\"", ">CC BY 4.0<",
+                             "name=\"CreationDate\"", ">2026-11-28<"})
+        EXPECT_NE(model.find(said), std::string::npos) << said;
+    EXPECT_EQ(model_with(kWords).find("LicenseTerms"), std::string::npos);
+}
+
 TEST(ThreeMf, ShowsThePictureSmall) {
     Image picture{.width = 600, .height = 300, .rgba = {}};
     for (int i = 0; i < 600 * 300; ++i)

@@ -47,6 +47,22 @@ TEST(WebpFilm, WithoutLossGivesBackEveryPixel) {
     EXPECT_EQ(frames.plays, 1);
 }
 
+// libwebp alone would make a still of it.
+TEST(WebpFilm, LastsWhereAllPicturesAreEqual) {
+    auto made = WebpFilm::create({.width = kWidth, .height = kHeight, .quality = 100.0});
+    ASSERT_TRUE(made);
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(made->add(picture(0), 81));
+    const auto file = made->finish();
+    ASSERT_TRUE(file) << file.error().message;
+    const test::WebpFrames frames = test::webp_frames(*file);
+    ASSERT_FALSE(frames.images.empty());
+    for (const Image& image : frames.images)
+        EXPECT_EQ(image, picture(0));
+    EXPECT_EQ(frames.ends_ms.back(), 243);
+    EXPECT_EQ(frames.plays, 1);
+}
+
 TEST(WebpFilm, WithLossIsSmallerAndLooksTheSame) {
     const auto fine = film(90.0);
     const auto coarse = film(10.0);

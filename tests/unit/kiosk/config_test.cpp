@@ -55,6 +55,17 @@ TEST(Config, SharesThroughItsOwnAddressOrTheMuseumsServer) {
         read_config("[sharing]\nlisten = \"::\"\npublic_url = \"http://pots.local\"\n", "kiosk.toml"));
 }
 
+TEST(Config, TakesOneTextOfTheHouseOrOneALanguage) {
+    const auto one = read_config("[sharing]\nlicence = \"CC BY 4.0\"\npublisher = \"\"\n", "kiosk.toml");
+    ASSERT_TRUE(one) << one.error().message;
+    EXPECT_EQ(one->sharing.licence, (HouseText{{"", "CC BY 4.0"}}));
+    EXPECT_TRUE(one->sharing.publisher.empty());
+    const auto three = read_config(
+        "[sharing]\npublisher = { en = \"House of Clay\", ko = \"흙의 집\", ar = \"\" }\n", "kiosk.toml");
+    ASSERT_TRUE(three) << three.error().message;
+    EXPECT_EQ(three->sharing.publisher, (HouseText{{"en", "House of Clay"}, {"ko", "흙의 집"}}));
+}
+
 TEST(Config, TakesAPublicAddressAsPeopleWriteIt) {
     const std::pair<const char*, const char*> kCases[] = {
         {"HTTPS://museum.org/pots", "https://museum.org/pots"},
@@ -188,6 +199,14 @@ const struct {
      "kiosk.toml, line 3: expected public_url beside '0.0.0.0' for listen, so that phones learn where, "
      "found "
      "none"},
+    {"[sharing]\nlicence = 4.0\n",
+     "kiosk.toml, line 2: expected a text of 500 letters at most, or one a language such as { en = \"...\", "
+     "ko "
+     "= \"...\" } for licence, found 4"},
+    {"[sharing]\nlicence = { e = \"CC0\" }\n",
+     "kiosk.toml, line 2: expected a text of 500 letters at most, or one a language such as { en = \"...\", "
+     "ko "
+     "= \"...\" } for licence, found a table"},
     {"[sharing]\noutbox = \"\"\n", "kiosk.toml, line 2: expected a folder for outbox, found ''"},
     {"[sharing]\nwifi_key = \"short\"\n",
      "kiosk.toml, line 2: expected 8 to 63 letters between quotes, or nothing for wifi_key, found "
@@ -201,8 +220,8 @@ const struct {
      "kiosk.toml, line 2: expected a whole number, 1 to 10000 for most_pots, found 0"},
     {"[sharing]\nmost_mb = 1\n", "kiosk.toml, line 2: expected 10 to 1000000 for most_mb, found 1"},
     {"[sharing]\nadress = \"\"\n",
-     "kiosk.toml, line 2: expected one of counter, hours, listen, most_mb, most_pots, outbox, port, "
-     "public_url, wifi_key, wifi_name in [sharing], found 'adress'"},
+     "kiosk.toml, line 2: expected one of counter, hours, licence, listen, most_mb, most_pots, outbox, "
+     "port, public_url, publisher, wifi_key, wifi_name in [sharing], found 'adress'"},
     {"[hours]\nopens = 09:30:00\n",
      "kiosk.toml, line 2: expected a time as \"HH:MM\" for opens, found a date or a time"},
     {"[haptics]\nrate_hz = 20000\n", "kiosk.toml, line 2: expected 100 to 10000 for rate_hz, found 20000"},

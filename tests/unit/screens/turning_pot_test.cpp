@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -77,6 +78,42 @@ TEST(TurningPot, HasNoStepsInItsRings) {
         }
     }
     EXPECT_LT(steps, count / 1000) << "levels between neighbours of a row of pixels";
+}
+
+// The pot with its rim beside the axis, and a dent.
+pot::Section bent_bowl() {
+    pot::OffRound map{.centre_mm = {{0.0F, 0.0F}, {6.0F, 0.0F}},
+                      .dents_mm = std::vector<float>(2 * pot::OffRound::kCorners, 0.0F)};
+    map.dents_mm[pot::OffRound::kCorners + 32] = -5.0F;
+    pot::Section shape = bowl();
+    shape.off_round = std::make_shared<const pot::OffRound>(std::move(map));
+    return shape;
+}
+
+// The middle of the topmost rows that show pot, pixels.
+float rim_middle_px(const ui::Painting& painting) {
+    float sum = 0.0F;
+    int count = 0;
+    for (int y = 0; y < painting.height / 3; ++y) {
+        for (int x = 0; x < painting.width; ++x) {
+            if (painting.rgba[static_cast<std::size_t>(4 * (y * painting.width + x) + 3)] < 128) continue;
+            sum += static_cast<float>(x);
+            ++count;
+        }
+    }
+    return sum / static_cast<float>(std::max(count, 1));
+}
+
+TEST(TurningPot, SwaysWhereItIsNotRound) {
+    const TurningPot turning(bent_bowl(), finish::glaze_at(2), 1.0F, 0.12F);
+    const float middle_px = turning.foot_px().x;
+    // At rest the clay's direction 0 is to the right; the pot turns as its colours do.
+    EXPECT_GT(rim_middle_px(*turning.at(0.0)), middle_px + 2.0F);
+    EXPECT_LT(rim_middle_px(*turning.at(0.5)), middle_px - 2.0F);
+    EXPECT_NEAR(rim_middle_px(*turning.at(0.25)), middle_px, 1.5F);
+    EXPECT_EQ(turning.at(1.0)->rgba, turning.at(0.0)->rgba);
+    const PotPicture still = paint_pot(bent_bowl(), finish::glaze_at(2), 1.0F, 0.12F, 0.5);
+    EXPECT_EQ(turning.at(0.5)->rgba, still.painting.rgba);
 }
 
 TEST(TurningPot, ComesBackAfterAWholeTurn) {

@@ -111,6 +111,30 @@ TEST(PhonePage, DrawsOutlinesOfAnyNumbers) {
     EXPECT_TRUE(numbers.ends_with("50,250")) << "the rim is kept";
 }
 
+TEST(PhonePage, KeepsALedgeOfAnOutline) {
+    std::vector<OutlinePoint> ledge;
+    for (int i = 0; i < 513; ++i)
+        ledge.push_back({i < 40 ? 40.0 : 48.0, i * 0.3});
+    EXPECT_EQ(outline_numbers(ledge), "40,0 40,11.7 48,12 48,153.6");
+}
+
+TEST(PhonePage, TellsTheRowsOfAPotThatIsNotRound) {
+    EXPECT_EQ(off_round_numbers(std::vector<OffRoundRow>{{1.5, -0.2, {0.0, -2.34}}, {0.0, 0.0, {1e9, 0.0}}}),
+              "30,-4,0,-47 0,0,40000,0");
+    SharedPot pot = support::full_pot("x");
+    EXPECT_FALSE(has(page_of(pot, 0), "data-rows"));
+    pot.off_round = {{1.0, 0.0, {}}, {2.0, 0.0, {}}};
+    pot.reach_mm = 61.25;
+    EXPECT_TRUE(has(page_of(pot, 0), "data-reach=\"61.25\" data-rows=\"20,0 40,0\""));
+}
+
+TEST(PhonePage, SaysHowViewersShowAnStl) {
+    EXPECT_TRUE(has(page_of(support::full_pot("x"), 0), "<p class=\"note\">Files for printing stand on Z."));
+    SharedPot without = support::full_pot("x");
+    without.print_stl = {};
+    EXPECT_FALSE(has(page_of(without, 0), "class=\"note\""));
+}
+
 TEST(PlainPages, SayItInEveryLanguageTheLikedOneFirst) {
     const std::string page = lost_page(*support::three_languages(), 2);
     EXPECT_TRUE(has(page, "<html lang=\"ar\" dir=\"rtl\">"));
@@ -118,7 +142,7 @@ TEST(PlainPages, SayItInEveryLanguageTheLikedOneFirst) {
     EXPECT_TRUE(has(page, "여기에는 그릇이 없어요"));
     const std::string ask = ask_page(*support::three_languages(), 0);
     EXPECT_TRUE(has(ask, "<label for=\"code\">"));
-    EXPECT_TRUE(has(ask, "name=\"code\""));
+    EXPECT_TRUE(has(ask, "name=\"code\" type=\"text\""));
     EXPECT_FALSE(ask_script().empty());
 }
 

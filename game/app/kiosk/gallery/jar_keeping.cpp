@@ -69,7 +69,7 @@ Result<void> JarKeeping::set_aside(haptic::History&& bowl) {
 Result<clay::StudioClay> JarKeeping::joined(const clay::StudioClay& second, const JarJoin& join) const {
     const clay::StudioClay& first = *first_->state().studio();
     return clay::join_pots(
-        second, first, {.mouth_mm = clay::bore_at_width_mm(first, join.mouth_mm), .shift_mm = join.shift_mm});
+        second, first, {.bore_mm = clay::bore_at_width_mm(first, join.mouth_mm), .shift_mm = join.shift_mm});
 }
 
 Result<double> JarKeeping::rims_mm(const clay::StudioClay& second, double mouth_mm) const {

@@ -46,13 +46,13 @@ asset::Image straight_picture(ui::Painting painting) {
 }
 
 Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
-                                            const decoration::Marks* marks) {
+                                            const decoration::Marks* marks, exporter::PotStory story) {
     constexpr clay::Firing kStage = clay::Firing::kGlaze;
     const auto height_mm =
         static_cast<float>(clay.height_mm() * clay::shrunk_scale(clay.lump().body, kStage));
     look::PotLook worn = look::glaze_look(glaze, height_mm);
     if (marks != nullptr) worn = look::marked_look(std::move(worn), *marks, glaze.marks, height_mm);
-    return look::dressed_glb(clay, kStage, worn);
+    return look::dressed_glb(clay, kStage, worn, std::move(story));
 }
 
 std::string today() {
@@ -126,6 +126,20 @@ void Gallery::make_room(const fs::path& newcomer, const std::string& today) {
     }
 }
 
+namespace {
+
+// The hash is that of the clay at the session's end, as in its last block: `onggi replay` finds it again.
+exporter::PotStory dated_story(exporter::PotStory story, const haptic::History& history,
+                               const std::string& today) {
+    const std::string hash = fmt::format("{:016x}", history.state().hash());
+    story.about.date = today;
+    story.about.identifier = "onggi-session:" + hash;
+    story.extras.insert(story.extras.end(), {{"date", today}, {"session_hash", hash}});
+    return story;
+}
+
+}  // namespace
+
 Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     std::error_code error;
     fs::create_directories(folder_ / today, error);
@@ -164,18 +178,23 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (auto written = files::write_file_atomically(folder->inside() / name, *bowl); !written)
             return written.error();
     }
+    const exporter::PotStory story = dated_story(std::move(pot.story), *pot.history, today);
     {
         // Frees the picture's pixels and the solid before the GLB's pictures and solid are made.
         const asset::Image portrait = straight_picture(std::move(pot.portrait));
-        if (auto written = write("pot.png", asset::encode_png(portrait)); !written) return written.error();
-        const auto print = exporter::pot_file(*pot.clay, clay::Firing::kGlaze);
+        const auto plain = asset::encode_png(portrait);
+        if (!plain) return plain.error();
+        if (auto written = write("pot.png", asset::picture_about(*plain, story.about)); !written)
+            return written.error();
+        const auto print = exporter::pot_file(*pot.clay, clay::Firing::kGlaze, story);
         using enum exporter::ExportKind;
         if (auto written = write("pot.3mf", exporter::encode_pot(print, k3mf, &portrait)); !written)
             return written.error();
         if (auto written = write("pot.stl", exporter::encode_pot(print, kStl)); !written)
             return written.error();
     }
-    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get())); !written)
+    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get(), story));
+        !written)
         return written.error();
     if (auto done = folder->commit(); !done) return done.error();
     // Only now: a pot that cannot be kept deletes no other. Without memory the old ones wait for the next.

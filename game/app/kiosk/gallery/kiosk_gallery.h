@@ -13,6 +13,7 @@
 #include "engine/ui/painting.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/decoration/canvas.h"
+#include "game/exporter/export.h"
 #include "game/finish/glaze.h"
 #include "game/haptic/history.h"
 #include "game/kiosk/config.h"
@@ -28,6 +29,7 @@ struct PotToKeep {
     ui::Painting portrait;                             // for the PNG
     std::shared_ptr<const decoration::Marks> marks{};  // its decoration, or null
     std::vector<std::filesystem::path> bowls{};        // sessions of a jar's two bowls, or empty
+    exporter::PotStory story{};  // written into the files, with the day and the session's hash
 };
 
 struct KeptPot {
@@ -73,7 +75,8 @@ class Gallery {
 // The pot as in pot.glb: glaze-fired with its glaze. Errors as look::dressed_glb().
 [[nodiscard]] Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay,
                                                           const finish::GlazeMaterial& glaze,
-                                                          const decoration::Marks* marks = nullptr);
+                                                          const decoration::Marks* marks = nullptr,
+                                                          exporter::PotStory story = {});
 
 // Converts a painting from premultiplied to straight alpha, as files have it.
 [[nodiscard]] asset::Image straight_picture(ui::Painting painting);

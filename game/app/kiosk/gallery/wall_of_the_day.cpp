@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -20,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr std::size_t kMostBytes = 4'000'000;
 constexpr std::size_t kMostPoints = 4096;  // of one side of a pot's wall
 constexpr double kMostMm = 1000.0;
@@ -46,6 +47,39 @@ std::vector<vec2> points_of(const json& list) {
     return points;
 }
 
+// In hundredths of a millimetre.
+constexpr float kPerMm = 100.0F;
+
+json json_of(const pot::OffRound& map) {
+    const auto hundredths = [](float mm) { return std::lround(mm * kPerMm); };
+    json centres = json::array();
+    for (const vec2& centre : map.centre_mm)
+        centres.push_back({hundredths(centre.x), hundredths(centre.y)});
+    json dents = json::array();
+    for (const float dent_mm : map.dents_mm)
+        dents.push_back(hundredths(dent_mm));
+    return {{"centres", std::move(centres)}, {"dents", std::move(dents)}};
+}
+
+// Throws as points_of().
+std::shared_ptr<const pot::OffRound> off_round_of(const json& map) {
+    const auto mm_of = [](const json& hundredths) {
+        const auto mm = static_cast<float>(whole_number<int>(hundredths)) / kPerMm;
+        if (std::abs(mm) > kMostMm) throw json::other_error::create(501, "expected millimetres", nullptr);
+        return mm;
+    };
+    pot::OffRound read;
+    for (const json& centre : map.at("centres"))
+        read.centre_mm.emplace_back(mm_of(centre.at(0)), mm_of(centre.at(1)));
+    for (const json& dent : map.at("dents"))
+        read.dents_mm.push_back(mm_of(dent));
+    const bool is_sound = !read.centre_mm.empty() && read.centre_mm.size() <= kMostPoints &&
+                          read.dents_mm.size() % pot::OffRound::kCorners == 0 &&
+                          read.dents_mm.size() <= kMostPoints * pot::OffRound::kCorners;
+    if (!is_sound) throw json::other_error::create(501, "expected rows of dents", nullptr);
+    return std::make_shared<const pot::OffRound>(std::move(read));
+}
+
 std::vector<WallPot> pots_of(const json& list) {
     std::vector<WallPot> pots;
     for (const json& one : list) {
@@ -53,6 +87,7 @@ std::vector<WallPot> pots_of(const json& list) {
         WallPot pot{.gallery_name = one.at("pot").get<std::string>(),
                     .glaze = std::clamp(whole_number<int>(one.at("glaze")), 0, finish::kGlazeCount - 1),
                     .shape = {points_of(one.at("outside")), points_of(one.at("inside"))}};
+        if (one.contains("off_round")) pot.shape.off_round = off_round_of(one.at("off_round"));
         if (pot.shape.outside.size() > 1) pots.push_back(std::move(pot));
     }
     return pots;
@@ -83,10 +118,10 @@ Result<void> WallOfTheDay::read() {
     try {
         const json wall = json::parse(*text);
         // The first files have no format field.
-        if (const int format = wall.contains("format") ? whole_number<int>(wall.at("format")) : kFormat;
-            format != kFormat) {
-            return bad_input(
-                fmt::format("{}: expected a wall of format {}, found {}", file_.string(), kFormat, format));
+        if (const int format = wall.contains("format") ? whole_number<int>(wall.at("format")) : 1;
+            format < 1 || format > kFormat) {
+            return bad_input(fmt::format("{}: expected a wall of format 1 to {}, found {}", file_.string(),
+                                         kFormat, format));
         }
         day_on_disk_ = wall.at("day").get<std::string>();
         if (day_ < day_of(sharing::kClockIsSetS)) day_ = std::max(day_, day_on_disk_);
@@ -130,6 +165,7 @@ Result<void> WallOfTheDay::write() const {
                         {"glaze", pot.glaze},
                         {"outside", json_of(pot.shape.outside)},
                         {"inside", json_of(pot.shape.inside)}});
+        if (pot.shape.off_round) pots.back()["off_round"] = json_of(*pot.shape.off_round);
     }
     const std::string text = json{{"format", kFormat}, {"day", day_}, {"pots", std::move(pots)}}.dump();
     std::error_code ignored;  // write_file_atomically() reports the error

@@ -368,8 +368,8 @@ void KioskKeeper::write_session(std::filesystem::path place) {
     });
 }
 
-void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
-    ask([this, shape = std::move(shape), glaze] {
+void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze, exporter::PotStory story) {
+    ask([this, shape = std::move(shape), glaze, story = std::move(story)] {
         if (!cut_ || shape == nullptr) return;
         history_.let_go_of_states();  // a fired pot cannot be undone
         give_back_memory();
@@ -380,7 +380,8 @@ void KioskKeeper::save(std::shared_ptr<const pot::Section> shape, int glaze) {
                           .glaze = &finish::glaze_at(glaze),
                           .portrait = portrait(*shape, glaze, kPortraitPx),
                           .marks = shape->marks,
-                          .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>()};
+                          .bowls = is_jar_ ? jar_.sessions() : std::vector<std::filesystem::path>(),
+                          .story = story};
             return gallery_.keep(std::move(pot), day);
         });
         if (number) {

@@ -112,7 +112,7 @@ class KioskKeeper final : private jobs::IoWork {
     // complete.
     void write_session(std::filesystem::path place);
     // Answered by Saved or event::SaveFailed.
-    void save(std::shared_ptr<const pot::Section> shape, int glaze);
+    void save(std::shared_ptr<const pot::Section> shape, int glaze, exporter::PotStory story = {});
     // Puts a kept pot on the wall of the day, takes one down, or takes down all. Answered by Wall, which is
     // also sent at the start and the end of a day.
     void put_on_wall(WallPot pot);

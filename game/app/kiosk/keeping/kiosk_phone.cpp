@@ -4,6 +4,7 @@
 #include <qrcodegen/qrcodegen.hpp>
 
 #include <map>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,8 @@
 #include "engine/asset/image.h"
 #include "engine/core/within_memory.h"
 #include "engine/files/atomic_file.h"
+#include "engine/files/read_file.h"
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/app/kiosk/keeping/kiosk_share.h"
 #include "game/finish/glaze.h"
 #include "game/kiosk/config.h"
@@ -25,6 +28,7 @@ constexpr std::int64_t kLooksEveryNs = 60'000'000'000;
 constexpr int kPosterPx = 720;
 constexpr int kPosterQuality = 85;
 constexpr int kSurfaceQuality = 80;
+constexpr std::size_t kMostFilmBytes = 64'000'000;
 
 // Error correction M, which tolerates about 15 % of unreadable area, such as a lamp's reflection.
 screens::PhoneCode code_of(const std::string& text) {
@@ -118,11 +122,20 @@ void KioskPhone::share_when_filmed() {
     share_now(*std::exchange(waiting_, std::nullopt));
 }
 
-bool KioskPhone::add_film(sharing::SharedPot& pot) const {
+// A film that cannot be read is missing, like one that could not be made.
+bool KioskPhone::add_film(sharing::SharedPot& pot, const asset::About& about) {
     const auto film = film_.files();
     if (!film) return false;
-    pot.film.path = film->film;
-    pot.film_still.path = film->still;
+    for (const auto& [place, into] : {std::pair(&film->film, &pot.film), {&film->still, &pot.film_still}}) {
+        const auto plain = files::read_file(*place, kMostFilmBytes);
+        auto told = plain ? asset::picture_about(std::as_bytes(std::span(*plain)), about)
+                          : Result<std::vector<std::byte>>(plain.error());
+        if (!told) {
+            answer({.words = "film: " + told.error().message});
+            return false;
+        }
+        into->bytes = std::move(*told);
+    }
     pot.film_s = KioskFilm::kSeconds;
     return true;
 }
@@ -130,7 +143,7 @@ bool KioskPhone::add_film(sharing::SharedPot& pot) const {
 void KioskPhone::add_late_film() {
     if (!unfilmed_ || film_.is_in_the_making()) return;
     Unfilmed late = *std::exchange(unfilmed_, std::nullopt);
-    if (add_film(late.pot)) {
+    if (add_film(late.pot, late.about)) {
         const auto renewed = outbox_->renew(late.code, late.pot, late.time);
         if (!renewed) answer({.words = "film: " + renewed.error().message});
     }
@@ -159,7 +172,11 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
     pot.model_glb.path = folder / "pot.glb";
     pot.print_stl.path = folder / "pot.stl";
     pot.print_3mf.path = folder / "pot.3mf";
-    auto poster = asset::encode_webp(share_poster(kept.pot->shape, kept.glaze, kPosterPx), kPosterQuality);
+    asset::About about = pot_story(*kept.pot, kept.glaze, settings_).about;
+    about.date = today();
+    const auto plain =
+        asset::encode_webp(share_poster(kept.pot->shape, kept.glaze, kPosterPx), kPosterQuality);
+    auto poster = plain ? asset::picture_about(*plain, about) : plain;
     if (!poster) return poster.error();
     pot.poster.bytes = std::move(*poster);
     if (const asset::Image wrapped = share_surface(kept.pot->shape, kept.glaze); wrapped.width > 0) {
@@ -167,11 +184,11 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
         if (!surface) return surface.error();
         pot.surface.bytes = std::move(*surface);
     }
-    const bool has_film = add_film(pot);
+    const bool has_film = add_film(pot, about);
     const sharing::ShareTime time = share_time_now(config);
     const auto code = outbox_->put(pot, time);
     if (!code) return code.error();
-    if (!has_film) unfilmed_ = {std::move(pot), time, *code};
+    if (!has_film) unfilmed_ = {std::move(pot), time, *code, std::move(about)};
     screens::PhoneWay way{.page = code_of(sharing::page_url(*base, *code)), .code = code->shown()};
     if (const std::string wifi = sharing::wifi_text(config); !wifi.empty()) {
         way.wifi = code_of(wifi);

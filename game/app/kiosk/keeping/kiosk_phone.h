@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/asset/about.h"
 #include "engine/core/result.h"
 #include "engine/jobs/idle_process.h"
 #include "engine/jobs/io_thread.h"
@@ -146,7 +147,7 @@ class KioskPhone final : private jobs::IoWork {
     [[nodiscard]] Result<screens::PhoneWay> shared(const PotToShare& kept);
     void share_when_filmed();
     void share_now(const PotToShare& kept);
-    bool add_film(sharing::SharedPot& pot) const;
+    [[nodiscard]] bool add_film(sharing::SharedPot& pot, const asset::About& about);
     void add_late_film();
     void look_after();
     void expire();
@@ -159,6 +160,7 @@ class KioskPhone final : private jobs::IoWork {
         sharing::SharedPot pot;
         sharing::ShareTime time;
         sharing::ShareCode code;
+        asset::About about;
         bool is_forgotten = false;
     };
 

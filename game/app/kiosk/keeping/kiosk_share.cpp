@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -31,6 +32,31 @@ std::vector<sharing::OutlinePoint> outline_of(const std::vector<vec2>& points) {
     return outline;
 }
 
+std::string in_own_digits(const kiosk::Language& language, std::string number, bool own_digits) {
+    return own_digits && language.is_arabic() ? kiosk::in_arabic_digits(number) : number;
+}
+
+// The page counts directions from the right, the eye is a quarter turn before that.
+std::vector<sharing::OffRoundRow> off_round_of(const pot::Section& shape) {
+    std::vector<sharing::OffRoundRow> rows;
+    if (!shape.off_round) return rows;
+    const pot::OffRound& map = *shape.off_round;
+    const float right = shape.front_turns() + 0.25F;
+    const vec2 way(std::cos(kTurnF * right), std::sin(kTurnF * right));
+    for (std::size_t i = 0; i < map.centre_mm.size(); ++i) {
+        const float part =
+            static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(map.centre_mm.size() - 1, 1));
+        const vec2& centre = map.centre_mm[i];
+        sharing::OffRoundRow& row = rows.emplace_back();
+        row.x_mm = double{centre.x * way.x + centre.y * way.y};
+        row.z_mm = double{centre.x * way.y - centre.y * way.x};
+        for (int k = 0; k < pot::OffRound::kCorners && !map.dents_mm.empty(); ++k)
+            row.dents_mm.push_back(
+                double{map.dent_at(part, right + static_cast<float>(k) / pot::OffRound::kCorners)});
+    }
+    return rows;
+}
+
 sharing::PotWords words_of(const kiosk::Language& language, const finish::GlazeMaterial& glaze,
                            const screens::Exhibit* relative, bool own_digits) {
     sharing::PotWords words{.glaze = language.shown(glaze.name_key)};
@@ -39,14 +65,91 @@ sharing::PotWords words_of(const kiosk::Language& language, const finish::GlazeM
     words.nearest_name = language.shown(relative->name_key);
     for (const std::string& part :
          {language.shown(relative->date_key), language.shown(relative->museum_key),
-          (own_digits && language.is_arabic() ? kiosk::in_arabic_digits(height) : height) + "\u00a0" +
-              language.shown("unit.mm")}) {
+          in_own_digits(language, height, own_digits) + "\u00a0" + language.shown("unit.mm")}) {
         if (!part.empty()) words.nearest_line += (words.nearest_line.empty() ? "" : "\n") + part;
     }
     return words;
 }
 
+// A text without a language is the default's.
+asset::Wordings wordings_of(const kiosk::HouseText& text, const std::string& first) {
+    asset::Wordings wordings;
+    for (const auto& [code, words] : text) {
+        const bool is_first = code.empty() || code == first;
+        wordings.insert(is_first ? wordings.begin() : wordings.end(), {code.empty() ? first : code, words});
+    }
+    return wordings;
+}
+
+// Within a title English writes common nouns small.
+std::string within_title(const kiosk::Language& language, std::string name) {
+    if (language.code() == "en" && !name.empty() && name.front() >= 'A' && name.front() <= 'Z')
+        name.front() = static_cast<char>(name.front() - 'A' + 'a');
+    return name;
+}
+
+void add_wordings(asset::About& about, const screens::FiredPot& pot, const finish::GlazeMaterial& glaze,
+                  const kiosk::Language& language, bool own_digits) {
+    const bool is_after = pot.relative && pot.is_after_relative;
+    const std::string& name = is_after ? language.shown(pot.relative->name_key) : language.shown("file.pot");
+    about.title.push_back({language.code(), name + (language.is_arabic() ? "، " : ", ") +
+                                                within_title(language, language.spoken(glaze.name_key))});
+    std::string made = language.shown(
+        "file.made", in_own_digits(language, fmt::format("{:.0f}", pot.height_mm), own_digits));
+    if (pot.relative) {
+        const sharing::PotWords words = words_of(language, glaze, pot.relative.get(), own_digits);
+        std::string line = words.nearest_name + '\n' + words.nearest_line;
+        for (std::size_t end = line.find('\n'); end != std::string::npos; end = line.find('\n', end))
+            line.replace(end, 1, ", ");
+        made += fmt::format(" {}: {}.", language.shown(is_after ? "your.after" : "your.near"), line);
+    }
+    about.description.push_back({language.code(), std::move(made)});
+}
+
+std::string decoration_of(const finish::DrawnWith& drawn) {
+    constexpr std::array<std::string_view, decoration::kPigmentCount> kNames{"", "white slip", "black slip",
+                                                                             "iron", "cobalt"};
+    std::string list;
+    for (std::size_t i = 1; i < kNames.size(); ++i)
+        if (drawn.pigment[i] > 0) list += fmt::format("{}{}", list.empty() ? "" : ", ", kNames[i]);
+    if (drawn.inlaid) list += list.empty() ? "inlay" : ", inlaid";
+    if (drawn.wiped > 0) list += list.empty() ? "finger wipes" : ", finger wipes";
+    return list;
+}
+
 }  // namespace
+
+exporter::PotStory pot_story(const screens::FiredPot& pot, int glaze, const KioskSettings& settings) {
+    const kiosk::Config& config = settings.config;
+    const finish::GlazeMaterial& material = finish::glaze_at(glaze);
+    exporter::PotStory story;
+    asset::About& about = story.about;
+    const std::string& first = config.languages.first;
+    for (const bool is_first : {true, false}) {
+        for (const kiosk::Language& language : *settings.languages)
+            if ((language.code() == first) == is_first)
+                add_wordings(about, pot, material, language, config.languages.own_digits);
+    }
+    about.rights = wordings_of(config.sharing.licence, first);
+    about.publisher = wordings_of(config.sharing.publisher, first);
+    about.tool = exporter::program_name();
+    story.extras = {{"title", asset::first_of(about.title)},
+                    {"made", asset::first_of(about.description)},
+                    {"glaze", std::string(material.id)}};
+    const auto add = [&](const char* name, std::string text) {
+        if (!text.empty()) story.extras.emplace_back(name, std::move(text));
+    };
+    add("decoration", decoration_of(pot.drawn_with));
+    if (pot.relative) {
+        add(pot.is_after_relative ? "after_pot" : "nearest_pot", pot.relative->record);
+        add(pot.is_after_relative ? "after_pot_source" : "nearest_pot_source", pot.relative->source);
+        about.relation = pot.relative->record;
+        if (!pot.relative->source.empty()) about.relation += fmt::format(" ({})", pot.relative->source);
+    }
+    add("licence", asset::first_of(about.rights));
+    add("publisher", asset::first_of(about.publisher));
+    return story;
+}
 
 sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze, const KioskSettings& settings,
                               int language) {
@@ -55,6 +158,8 @@ sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze, const Kio
     sharing::SharedPot shared;
     shared.outside = outline_of(pot.shape.outside);
     shared.inside = outline_of(pot.shape.inside);
+    shared.off_round = off_round_of(pot.shape);
+    shared.reach_mm = double{pot.shape.radius_mm()};
     shared.colour_linear = {double{material.colour.x}, double{material.colour.y}, double{material.colour.z}};
     shared.gloss = double{material.clear_coat} * (1.0 - double{material.coat_roughness});
     shared.height_mm = pot.height_mm;

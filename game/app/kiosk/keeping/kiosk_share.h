@@ -7,6 +7,7 @@
 #include "engine/asset/image.h"
 #include "engine/core/result.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/exporter/export.h"
 #include "game/screens/page/view.h"
 #include "game/sharing/outbox.h"
 #include "game/sharing/shared_pot.h"
@@ -17,6 +18,12 @@ namespace onggi::app {
 // `language` of the settings.
 [[nodiscard]] sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze,
                                             const KioskSettings& settings, int language);
+
+// What the pot's files say: name, making, glaze, decoration, the museum's pot beside it with its source, and
+// the house's licence and name; in the settings' languages, the house's first. Nothing depends on the
+// visitor's language.
+[[nodiscard]] exporter::PotStory pot_story(const screens::FiredPot& pot, int glaze,
+                                           const KioskSettings& settings);
 
 // The pot alone in a square picture with a transparent background, placed as by the page's script, so that
 // the script can replace it seamlessly.

@@ -34,6 +34,10 @@ screens::Exhibit exhibit_of(const heritage::Target& target, const ExhibitWords& 
     exhibit.name_key = row != nullptr ? row->name : target.name;
     exhibit.museum_key = row != nullptr ? row->museum : target.place;
     exhibit.date_key = row != nullptr ? row->date : target.culture_date;
+    exhibit.record = target.name;
+    for (const std::string& part : {target.culture_date, target.place})
+        if (!part.empty()) exhibit.record += ", " + part;
+    exhibit.source = target.source;
     exhibit.height_mm = target.height_mm;
     exhibit.diameter_mm = target.max_diameter_mm.value_or(0.0);
     const heritage::ThrownSize size = heritage::size_on_this_wheel(target);

@@ -129,8 +129,7 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
                           .weight_g = measures.mass_g,
                           .capacity_l = measures.capacity_ml / 1000.0};
     const double step_mm = form.height_mm / static_cast<double>(form.radii_mm.size() - 1);
-    // A sample every 1/129 of the height is finer than a small picture resolves.
-    for (std::size_t i = 0; i < form.radii_mm.size(); i += 4)
+    for (std::size_t i = 0; i < form.radii_mm.size(); ++i)
         pot.shape.outside.push_back(vec2(form.radii_mm[i], step_mm * static_cast<double>(i)));
     const double scale = clay::shrunk_scale(body, clay::Firing::kGlaze);
     for (auto point = pot.shape.outside.rbegin(); point != pot.shape.outside.rend(); ++point) {
@@ -145,6 +144,7 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
         pot.shape.inside.push_back({0.6F * pot.shape.inside.back().x, floor_mm});
         pot.shape.inside.push_back({0.0F, floor_mm});
     }
+    pot.shape.off_round = pot::off_round_of(clay.rings(), clay::shrunk_scale(body, clay::Firing::kGlaze));
     if (targets.empty() || !relatives || relatives->size() != targets.size()) return pot;
     pot.is_after_relative = chosen && *chosen < targets.size();
     const std::size_t beside = pot.is_after_relative ? *chosen : heritage::nearest(form, targets).target;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "game/app/kiosk/keeping/kiosk_share.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/heritage/jar.h"
 #include "game/visit/flow/step.h"
@@ -128,7 +129,9 @@ void VisitEffects::apply_one(const effect::EndTrim& trimmed) {
 
 void VisitEffects::apply_one(const effect::Save& /*effect*/) {
     if (!pot_) return flow_.dispatch(event::SaveFailed{});
-    parts_.keeper.save(std::shared_ptr<const pot::Section>(pot_, &pot_->shape), flow_.state().glaze);
+    const int glaze = flow_.state().glaze;
+    parts_.keeper.save(std::shared_ptr<const pot::Section>(pot_, &pot_->shape), glaze,
+                       pot_story(*pot_, glaze, parts_.settings));
 }
 
 void VisitEffects::apply_one(const effect::Share& /*effect*/) {

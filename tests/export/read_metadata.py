@@ -1,0 +1,79 @@
+"""read_metadata.py FOLDER [EXIFTOOL]: what the files named `told` of make_pots say about themselves, by readers that share
+no code with their writers: exiftool for PNG and WebP, Python's zipfile and XML parser for 3MF, its JSON for GLB."""
+
+import json
+import struct
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+import zipfile
+from pathlib import Path
+
+MODEL = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+TERMS = {
+    "Title": "Moon jar, celadon",
+    "Title-ko": "달항아리, 청자",
+    "Title-ar": "جرة القمر، سيلادون",
+    "Description": "Thrown & fired.",
+    "Rights": "CC BY 4.0",
+    "Rights-ko": "저작자표시 4.0",
+    "Publisher": ["House of Clay", "흙의 집"],
+    "Date": "2026-11-28",
+    "Identifier": "onggi-session:0123456789abcdef",
+    "Relation": "Moon jar, British Museum (1333756)",
+}
+
+
+def expect(found, wanted, where):
+    if found != wanted:
+        sys.exit(f"{where}: expected {wanted!r}, found {found!r}")
+
+
+def check_picture(exiftool, picture):
+    report = subprocess.run([exiftool, "-json", "-charset", "utf8", "-XMP:all", str(picture)],
+                            check=True, capture_output=True, text=True, encoding="utf8")
+    said = json.loads(report.stdout)[0]
+    for term, wanted in TERMS.items():
+        found = said.get(term)
+        expect(found.replace(":", "-") if term == "Date" else found, wanted, f"{picture}: {term}")
+    known = {term.split("-")[0] for term in TERMS} | {"SourceFile", "CreatorTool"}
+    expect({term.split("-")[0] for term in said} - known, set(), f"{picture}: nothing else")
+
+
+def check_3mf(file):
+    with zipfile.ZipFile(file) as archive:
+        for entry in archive.infolist():
+            expect(entry.date_time[:3], (1980, 1, 1), f"{file}: {entry.filename}: date")
+        model = xml.fromstring(archive.read("3D/3dmodel.model"))
+    said = {entry.get("name"): entry.text for entry in model.iter(MODEL + "metadata")}
+    expect(said.pop("Title").rsplit(",", 1)[0], "Moon jar, celadon", f"{file}: Title")
+    expect(said.pop("Description").startswith("Thrown & fired."), True, f"{file}: Description")
+    expect(said.pop("Application").startswith("Onggi "), True, f"{file}: Application")
+    expect(said, {"Copyright": "House of Clay", "LicenseTerms": "CC BY 4.0", "CreationDate": "2026-11-28"}, f"{file}")
+
+
+def check_glb(file):
+    data = file.read_bytes()
+    (length,) = struct.unpack_from("<I", data, 12)
+    model = json.loads(data[20:20 + length])
+    expect(model["asset"]["copyright"], "House of Clay. CC BY 4.0", f"{file}: copyright")
+    packet = model["extensions"]["KHR_xmp_json_ld"]["packets"][0]
+    titles = {item["@language"]: item["@value"] for key, item in packet["dc:title"].items() if key != "@type"}
+    expect(titles["ko"], TERMS["Title-ko"], f"{file}: title")
+    expect(packet["dc:rights"]["rdf:_1"]["@value"], "CC BY 4.0", f"{file}: rights")
+    node = model["nodes"][0]
+    expect((node["name"], model["scenes"][0]["name"]), ("Moon jar, celadon",) * 2, f"{file}: names")
+    expect(node["extras"], model["asset"]["extras"], f"{file}: extras of node and asset")
+    expect(node["extras"]["session_hash"], "0123456789abcdef", f"{file}: session")
+
+
+def main():
+    folder = Path(sys.argv[1])
+    check_glb(folder / "told.glb")
+    check_3mf(folder / "told.3mf")
+    if len(sys.argv) > 2:
+        for name in ("told.png", "told.webp"):
+            check_picture(sys.argv[2], folder / name)
+
+
+main()
