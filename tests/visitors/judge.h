@@ -26,8 +26,9 @@ struct Verdict {
 };
 
 // A pot holds 60 ml and stands 45 mm high, is nowhere thinner than 2.5 mm, and no more than a tenth of its
-// height leans more than 2 to 1. A dish, 160 mm wide and more, may stand 24 mm high and lean more. A good pot is hollow and holds 150 ml; from 6 mm above its floor, its wall
-// is nowhere thicker than 15 mm or thinner than 2.5 mm, and at most 10 mm thick in the mean.
+// height leans more than 2 to 1. A dish, 160 mm wide and more, may stand 24 mm high and lean more. A good pot
+// is hollow and holds 150 ml; from 6 mm above its floor, its wall is nowhere thicker than 15 mm or thinner
+// than 2.5 mm, and at most 10 mm thick in the mean.
 Verdict judge(const clay::StudioClay& clay, const std::vector<dvec2>& drawn_mm);
 
 // Judges the clay at the end of a session, which is replayed. Error: as start_pot().
