@@ -33,7 +33,8 @@ struct ShowOver {};  // the demonstration has ended
 struct Soaked {};    // one turn of the sponge: water drops by one dot
 // Judged by the pot.
 struct Progress {
-    int steps_done = 0;  // of kTeachingSteps
+    int steps_done = 0;     // of kTeachingSteps
+    bool is_solid = false;  // the clay has no hollow
 };
 struct Warned {
     Warning warning = Warning::kNone;

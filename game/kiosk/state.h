@@ -81,6 +81,8 @@ struct Throwing {
     int tool = 2;
     int water = 3;
     int speed = 3;
+    bool is_solid = false;    // the clay has no hollow
+    bool asks_solid = false;  // the visitor pressed "done" on solid clay; pressed again, it is kept so
     Warning warning = Warning::kNone;
     Warning collapse = Warning::kNone;  // cause of the collapse, for the failure screen
     JarMaking jar{};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "game/visit/jar/jar.h"
 #include "game/visit/throw/throw.h"
@@ -65,6 +66,7 @@ void press_throw(Turn& turn, const event::Pressed& event) {
     Throwing& throwing = turn.state.throwing;
     const bool was_shown = throwing.shown.has_value();
     if (event.button != Button::kLookIn) end_show(turn);  // any other button ends the demonstration
+    const bool asked_solid = std::exchange(throwing.asks_solid, false);
     if (press_jar(turn, event)) return;
     switch (event.button) {
         case Button::kShowMe:
@@ -108,7 +110,11 @@ void press_throw(Turn& turn, const event::Pressed& event) {
             throwing.looks_in = !throwing.looks_in;
             break;
         case Button::kDone:
-            finish_throwing(turn);
+            if (throwing.is_solid && !asked_solid) {
+                throwing.asks_solid = true;
+            } else {
+                finish_throwing(turn);
+            }
             break;
         default:
             if (moves_hand(event.button)) turn.add(effect::MoveHand{event.button});
@@ -121,6 +127,7 @@ void touch_clay(Turn& turn, bool goes_on) {
     end_show(turn);
     end_aside(turn);
     // Work by guided hands that a key started some time ago does not close cards opened since.
+    state.throwing.asks_solid = false;
     if (!goes_on) state.throwing.tray = state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
     state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
     const bool rested = !state.pace.held && turn.now_s - state.pace.touched_s >= turn.rules.show_rests_s;
@@ -142,6 +149,7 @@ struct ThrowTaking {
     void operator()(const event::ShowOver& /*over*/) { end_show(turn); }
     void operator()(const event::Soaked& /*soaked*/) { throwing.water = std::max(1, throwing.water - 1); }
     void operator()(const event::Progress& progress) {
+        throwing.is_solid = progress.is_solid;
         if (progress.steps_done <= throwing.steps_done) return;
         throwing.steps_done = std::min(progress.steps_done, kTeachingSteps);
         turn.state.pace.progress_s = turn.now_s;
@@ -187,6 +195,7 @@ std::string_view spoken_while_throwing(const State& state) {
     if (state.throwing.warning != Warning::kNone) return warning_key(state.throwing.warning);
     if (state.throwing.shown) return "show.on";
     if (state.throwing.tray) return "tool.title";
+    if (state.throwing.asks_solid) return "solid.ask";
     if (state.throwing.jar.is_low) return "moon.low";
     if (state.throwing.jar.rims_apart) return "moon.more";
     if (state.throwing.jar.step == JarStep::kAside) return "moon.s2";
@@ -206,7 +215,8 @@ std::string title_of_throwing(const TitleFacts& facts) {
         fmt::format(" - {} of {}, {:.0f} mm", throwing.steps_done, kTeachingSteps, facts.clay_mm);
     for (const std::string_view more :
          {tray_tool(throwing.held).title, std::string_view(throwing.tray ? "tools" : ""),
-          std::string_view(throwing.shown ? "shown" : "")})
+          std::string_view(throwing.shown ? "shown" : ""),
+          std::string_view(throwing.asks_solid ? "asks" : "")})
         if (!more.empty()) title += ", " + std::string(more);
     return title;
 }

@@ -488,11 +488,13 @@ void draw_throw(Page& page) {
         const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
         chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
              page.t(view.state.device_lost ? "dev.lost" : "dev.rest"));
-    } else if (throwing.jar.is_low || throwing.jar.rims_apart) {
+    } else if (throwing.asks_solid || throwing.jar.is_low || throwing.jar.rims_apart) {
         const bool tall = page.is_tall();
         const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
         chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
-             page.t(throwing.jar.is_low ? "moon.low" : "moon.more"));
+             page.t(throwing.asks_solid   ? "solid.ask"
+                    : throwing.jar.is_low ? "moon.low"
+                                          : "moon.more"));
     } else if (!view.heard.empty()) {
         // If the hand's pad and the caption do not fit side by side, the caption is opposite the pad.
         const bool beside = page.is_tall() && has_hand_pad(view);

@@ -157,6 +157,7 @@ void add_step_views(const Samples& add) {
             view.state.throwing.shown = static_cast<kiosk::ShownStep>(step);
         });
     }
+    add("throw-solid", Screen::kThrow, [](View& view) { view.state.throwing.asks_solid = true; });
     add("throw-reach", Screen::kThrow, [](View& view) {
         view.state.comfort.reach = true;
         view.focus = 3;

@@ -1,6 +1,7 @@
 // The flow of a visit, from the visitor's view.
 #include <gtest/gtest.h>
 
+#include "game/visit/steps.h"
 #include "game/visit/throw/throw.h"
 #include "tests/unit/visit/visitor.h"
 
@@ -174,6 +175,23 @@ TEST_F(Kiosk, ShowsTheSameScreenWhileTimePassesAndHandsOnlyWork) {
     EXPECT_TRUE(seen == visitor.state);
     visitor.does(event::Progress{1});
     EXPECT_FALSE(seen == visitor.state);
+}
+
+TEST_F(Kiosk, AsksOnceBeforeItFiresASolidLump) {
+    visitor.starts_to_throw().does(event::Progress{.steps_done = 1, .is_solid = true});
+    visitor.presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_EQ(spoken_key(visitor.state), "solid.ask");
+    visitor.does(event::ClayTouched{}).presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow) << "asked again after another touch";
+    visitor.presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring) << "which the visitor wants";
+}
+
+TEST_F(Kiosk, FiresAHollowPotWithoutAQuestion) {
+    visitor.starts_to_throw().does(event::Progress{.steps_done = 1, .is_solid = true});
+    visitor.does(event::Progress{.steps_done = 2}).presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring);
 }
 
 TEST_F(Kiosk, ShowsTheCueUntilTheVisitorActsAndAgainWithoutProgress) {

@@ -19,6 +19,7 @@ namespace onggi::app {
 // Pure state, no clock. Main thread, once a frame.
 struct ClayNews {
     int steps_done = 0;  // of kiosk::kTeachingSteps
+    bool is_solid = false;
     kiosk::Warning warning = kiosk::Warning::kNone;
     std::optional<kiosk::Warning> gave_way{};  // the cause; reported once
 };
