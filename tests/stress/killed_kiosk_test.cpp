@@ -159,7 +159,7 @@ class Life {
         for (int tries = 0; tries < kTries && !has_done(2); ++tries)
             stroke({{0.0, 52.0}, {0.0, 15.0}});
         for (int tries = 0; tries < kTries && !has_done(3); ++tries)
-            stroke({{58.0, 15.0}, {55.0, 110.0}});
+            stroke({{58.0, 15.0}, {55.0, 140.0}});
         return has_done(3);
     }
     void kill() {

@@ -226,7 +226,7 @@ is_lighter() { [[ "$(title)" =~ ^Onggi\ -\ trim\ -\ ([0-9]+)\ g ]] && [ "${BASH_
 shave() {  # from beside the wall inwards, at the cue
     case $hand in
     keys) keys Left ;;
-    *) stroke 2 "80 $(($1 - 12))" "46 $(($1 - 12))" ;;
+    *) stroke 2 "80 $(($1 - 12))" "50 $(($1 - 12))" ;;
     esac
 }
 turn_the_foot() {

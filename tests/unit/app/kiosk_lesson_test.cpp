@@ -48,6 +48,11 @@ TEST_F(LessonTest, AsksForAnotherPullWhileTheWallIsThickerThanNineAndAHalf) {
     EXPECT_EQ(lesson.steps_done(test::millimetre_pot(100, 50, 15, 41)), 3);
 }
 
+TEST_F(LessonTest, TakesATallPotHoweverThickItsWallIs) {
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(124, 50, 15, 30)), 2);
+    EXPECT_EQ(lesson.steps_done(test::millimetre_pot(125, 50, 15, 30)), 3);
+}
+
 TEST_F(LessonTest, NeverGoesBack) {
     EXPECT_EQ(lesson.steps_done(test::millimetre_pot(45, 62, 15, 26)), 2);
     EXPECT_EQ(lesson.steps_done(lump()), 2);

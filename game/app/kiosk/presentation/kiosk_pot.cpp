@@ -22,6 +22,7 @@ constexpr double kOpenedBoreMm = 24.0;   // in the middle of that depth, to the 
 constexpr double kRaisedFraction = 1.4;  // of the height at the opening
 constexpr double kRaisedMm = 75.0;       // or this height in any case
 constexpr double kDrawnWallMm = 9.5;     // of a raised wall in the mean, for a kilogram
+constexpr double kTallMm = 125.0;        // or so tall, however thick: a narrow opening lets no wall get thin
 constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;
 
 double volume_mm3(const pot::Pot& shape) {
@@ -75,7 +76,8 @@ int Lesson::steps_done(const pot::Pot& shape) {
     const bool was_opened = opened_height_mm_ > 0.0;
     const bool pressed = start_foot_mm_ - foot_mm >= kPressedMm * size_ ||
                          height_mm - start_height_mm_ >= 2.0 * kPressedMm * size_;
-    const bool raised = is_open && mean_wall_mm(shape) <= kDrawnWallMm * size_ &&
+    const bool is_drawn = mean_wall_mm(shape) <= kDrawnWallMm * size_ || height_mm >= kTallMm * size_;
+    const bool raised = is_open && is_drawn &&
                         (height_mm > kRaisedFraction * opened_height_mm_ || height_mm >= kRaisedMm * size_);
     // Opening includes pressing, and raising includes both: a visitor who begins with a later move has done
     // the earlier ones.
