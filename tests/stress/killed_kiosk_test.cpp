@@ -157,9 +157,10 @@ class Life {
     bool throw_a_pot() {
         constexpr int kTries = 10;
         for (int tries = 0; tries < kTries && !has_done(2); ++tries)
-            stroke({{0.0, 52.0}, {0.0, 15.0}});
+            stroke({{0.0, 52.0}, {0.0, 12.0}, {22.0, 12.0}});
+        stroke({{0.0, 52.0}, {0.0, 12.0}, {22.0, 12.0}});  // wider, or no wall gets thin
         for (int tries = 0; tries < kTries && !has_done(3); ++tries)
-            stroke({{58.0, 15.0}, {55.0, 140.0}});
+            stroke({{62.0, 15.0}, {58.0, 160.0}});
         return has_done(3);
     }
     void kill() {

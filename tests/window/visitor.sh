@@ -220,13 +220,14 @@ decorate_the_pot() {
     wait_for "a stroke" has_strokes 1
     on_screen decorate
 }
-# Trims a thick foot of the pot, which was TOP mm high; with one switch it is left as it is.
+# Trims a thick foot of the pot, which was TOP mm high. With one switch it is left as it is, and where the tools do not
+# forgive, because they would cut through the wall.
 is_dry() { has_come_to trim || has_come_to decorate; }
 is_lighter() { [[ "$(title)" =~ ^Onggi\ -\ trim\ -\ ([0-9]+)\ g ]] && [ "${BASH_REMATCH[1]}" -ge "$1" ]; }
 shave() {  # from beside the wall inwards, at the cue
     case $hand in
     keys) keys Left ;;
-    *) stroke 2 "80 $(($1 - 12))" "50 $(($1 - 12))" ;;
+    *) stroke 2 "80 $(($1 - 12))" "46 $(($1 - 12))" ;;
     esac
 }
 turn_the_foot() {
@@ -235,6 +236,8 @@ turn_the_foot() {
         on_screen trim
         if [ "$hand" = switch ]; then
             press trim-scan skip
+        elif [ "${FORGIVING:-true}" = false ]; then
+            press trim skip
         else
             [ "${clay_top:-0}" -ge "$1" ] || clay_top=$1
             work_until "a foot that was turned" "is_lighter 5" shave "$1"
