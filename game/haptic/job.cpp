@@ -180,10 +180,10 @@ DeviceTick HapticWork::device_tick(const jobs::Period& period) noexcept {
         hold_to(fits_[device_]);
         haptics::restart_ramp(state_.safety);
     }
-    // A running force test needs a person at the device.
     // A wheel without motors, at which nobody is, may be late by some ms.
     rests_ = options_.spares_the_core && nobody_is_there_ && !force_test_.runs() && device.signs.is_alone &&
              !fits_[device_].is_felt;
+    // A running force test needs a person at the device.
     const bool alone = (nobody_is_there_ && !force_test_.runs()) || watchdog_.picture_stands_still();
     if (alone && fits_[device_].has_motors) device.signs.hand_is_there = false;
     device.test_force_n = force_test_.step(state_.safety, device_, parameters_.dt_s());

@@ -27,9 +27,8 @@ namespace onggi::look {
 // but the haptic one; pure. mm, rad; linear light.
 struct Place {
     float height_mm = 0.0F;
-    float along_mm =
-        0.0F;            // along the outline, from the foot up the outside, over the rim and down the inside
-    float angle = 0.0F;  // from the clay's direction 0, counter-clockwise seen from above; of a row, unused
+    // Along the outline, from the foot up the outside, over the rim and down the inside.
+    float along_mm = 0.0F;
     bool inside = false;
 };
 

@@ -254,8 +254,8 @@ struct Carry {
     double down_mm = 16.0;
     double foot_least_mm = 28.0;  // bounds of the foot; a foot already beyond them may stay
     double foot_most_mm = 68.0;
-    double steepest = 1.4;          // bound of |dR/dy|
-    double steepest_at_foot = 0.8;  // up to a little above the floor
+    double steepest = 0.0;          // bound of |dR/dy|
+    double steepest_at_foot = 0.0;  // up to a little above the floor
     bool keeps_slopes = false;      // a slope that is steeper already may stay
 };
 
@@ -625,16 +625,14 @@ constexpr double kRestMmS = 4.0;
 constexpr double kRestMm = 4.0;
 constexpr double kBehindMm = 12.0;
 constexpr double kLowestWallMm = 46.0;  // lower clay is not moved outward
-constexpr double kLowestDishMm = 24.0;  // the same, for a dish
-
 constexpr double kWidestFootMm = 68.0;
-// For Manner::kWide: a dish of a kilogram, 25 mm high and 240 mm wide.
+
+// DISH: a kilogram may become 25 mm high and 240 mm wide.
+constexpr double kLowestDishMm = 24.0;
 constexpr double kDishFootMm = 105.0;
 constexpr double kDishFromMm = 80.0;  // the foot widens from this height
 constexpr double kDishToMm = 50.0;    // to this
-constexpr double kWideSteepest = 1.6;
-constexpr double kWideSteepestAtFoot = 1.0;
-constexpr double kFlattest = 4.0;  // a flatter way of the finger is sideways
+constexpr double kFlattest = 4.0;     // a flatter way of the finger is sideways
 
 // The rim.
 constexpr double kCatchBelowMm = 3.0;
@@ -646,21 +644,34 @@ constexpr double kStrainPerS = 2.0;
 
 // OPEN.
 constexpr double kThickFloorMm = 12.5;
-constexpr double kNarrowOpening = 0.45;  // fraction of the radius to which an opening widens by itself
-constexpr double kWideOpening = 0.7;     // the same, for Manner::kWide
-constexpr double kNarrowOutward = 0.3;   // fraction of the clay that goes to the outer face
-constexpr double kWideOutward = 0.5;
-constexpr double kSinksMmS = 12.0;      // by itself, under thumbs that move
-constexpr double kWideSinksMmS = 36.0;  // by itself, under thumbs that lie still
-constexpr double kWidensMmS = 60.0;
 
 // PULL.
 constexpr double kTouchEndsMm = 12.0;  // over this way a touch's part of the rise runs out
 constexpr double kCreepsMmS = 8.0;     // and then goes on so slowly
 constexpr double kCarryUpS = 0.15;     // relaxation of clay that is thicker than the rest
 
-double opening_mm(const Rings& rings, bool wide) {
-    return (wide ? kWideOpening : kNarrowOpening) * outer_face_mm(rings, 0.5 * rings.top_mm());
+// The numbers in which the manners differ.
+struct MannerNumbers {
+    double opening;      // fraction of the radius to which an opening widens by itself
+    double outward;      // fraction of an opening's clay that goes to the outer face
+    double sinks_mm_s;   // of thumbs that lie still
+    double moving_mm_s;  // of thumbs that move
+    double widens_mm_s;  // of thumbs that lie still
+    double steepest;     // bounds of |dR/dy|
+    double steepest_at_foot;
+    double lowest_fade_mm;  // over this height, moving outward ends
+    double rim_mm_s;        // of a rim that is pressed down
+    double rim_fraction;    // of the depth, a touch
+};
+constexpr MannerNumbers kNarrow{0.45, 0.3, 28.0, 0.0, 15.0, 1.4, 0.8, 10.0, 8.0, 0.08};
+constexpr MannerNumbers kWide{0.7, 0.5, 36.0, 12.0, 60.0, 1.6, 1.0, 4.0, 12.0, 0.1};
+
+const MannerNumbers& numbers_of(const GripClimate& climate) {
+    return climate.wide ? kWide : kNarrow;
+}
+
+double opening_mm(const Rings& rings, const MannerNumbers& manner) {
+    return manner.opening * outer_face_mm(rings, 0.5 * rings.top_mm());
 }
 
 // Fraction of a thinning or widening move that the load allows.
@@ -669,9 +680,7 @@ double load_fraction(const GripClimate& climate) {
 }
 
 Bore bore_of(const GripState& state, const GripClimate& climate) {
-    return {.bottom_mm = state.bottom_mm,
-            .radius_mm = state.bore_mm,
-            .outward = climate.wide ? kWideOutward : kNarrowOutward};
+    return {.bottom_mm = state.bottom_mm, .radius_mm = state.bore_mm, .outward = numbers_of(climate).outward};
 }
 
 // Lowers the bottom of the bore; once there, widens the bore. Returns true once both are complete.
@@ -696,20 +705,17 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const double wanted = state.landed_top_mm - 1.5 * down;
     double sink = std::clamp(state.bottom_mm - wanted, 0.0, 45.0 * kGripStepS);
     const bool lies = state.still_s > 0.15;
-    if (lies) sink = std::max(sink, (climate.wide ? kWideSinksMmS : 28.0) * kGripStepS);
-    if (climate.wide) sink = std::max(sink, kSinksMmS * kGripStepS);
+    const MannerNumbers& manner = numbers_of(climate);
+    sink = std::max(sink, (lies ? manner.sinks_mm_s : manner.moving_mm_s) * kGripStepS);
     double widest = state.bore_mm;
     double widen = 0.0;
     if (aside > 4.0) {
         widest = std::min(kThumbsMm + aside, 60.0 * climate.size);
         widen = 55.0 * kGripStepS;
-    } else if (lies && !climate.wide) {
-        widest = opening_mm(rings, climate.wide);
-        widen = 15.0 * kGripStepS;
     }
-    if (climate.wide) {
-        widest = std::max(widest, opening_mm(rings, climate.wide));
-        widen = std::max(widen, kWidensMmS * kGripStepS);
+    if (climate.wide || (lies && !(aside > 4.0))) {
+        widest = std::max(widest, opening_mm(rings, manner));
+        widen = std::max(widen, manner.widens_mm_s * kGripStepS);
     }
     const double grant = load_fraction(climate) * climate.softness;
     deepen(state, rings, sink * climate.softness, widen * grant, widest);
@@ -722,7 +728,7 @@ Changed open_step(GripState& state, Rings& rings, const GripClimate& climate) {
 // Solid clay got a touch that needs hollow clay: the other hand opens the clay.
 Changed open_by_itself(GripState& state, Rings& rings, const GripClimate& climate) {
     // Who draws an outline needs its clay in the wall: not as wide as thumbs go.
-    const double widest = opening_mm(rings, false);
+    const double widest = opening_mm(rings, kNarrow);
     state.bore_mm = std::max(state.bore_mm, kThumbsMm);
     const bool is_open = deepen(state, rings, 60.0 * kGripStepS * climate.softness,
                                 30.0 * kGripStepS * climate.softness, widest);
@@ -747,6 +753,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
     const double top = rings.top_mm();
     const double y = std::clamp(state.hand_mm.y, 0.0, top);
     const bool hollow = is_hollow(rings);
+    const MannerNumbers& manner = numbers_of(climate);
     const double now = outer_face_mm(rings, y);
     double error = 0.0;
     if (state.grip == Grip::kInside) {
@@ -764,8 +771,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
         if (wanted > 0.0 && step < 0.3 * wanted) state.guard = GripGuard::kNearLimit;
         const double lowest =
             kLowestWallMm + dish_fraction(state, rings, climate) * (kLowestDishMm - kLowestWallMm);
-        const double fade = climate.wide ? 4.0 : 10.0;
-        const double spreads = std::clamp((top - lowest * climate.size) / fade, 0.0, 1.0);
+        const double spreads = std::clamp((top - lowest * climate.size) / manner.lowest_fade_mm, 0.0, 1.0);
         step *= spreads;
         const bool is_widest = now > kWidestGripMm - 1.0 && state.hand_mm.x > now + 3.0;
         if (climate.wide && (is_widest || (spreads < 0.3 && error > 3.0))) state.guard = GripGuard::kAsWide;
@@ -788,18 +794,16 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
         const double climbs = std::min(state.heading, 1.0);
         if (climbs > 1.0 / kFlattest) leans = std::sqrt(1.0 - climbs * climbs) / climbs;
     }
-    Carry carry{.height_mm = y,
-                .step_mm = step,
-                .up_mm = up,
-                .down_mm = down,
-                .foot_least_mm = 28.0 * climate.size,
-                .foot_most_mm = widest_foot_mm * climate.size};
-    if (climate.wide) {
-        carry.steepest = std::max(kWideSteepest, leans);
-        carry.steepest_at_foot = std::max(kWideSteepestAtFoot, leans);
-        carry.keeps_slopes = true;
-    }
-    return carry_wall(rings, space, carry);
+    return carry_wall(rings, space,
+                      {.height_mm = y,
+                       .step_mm = step,
+                       .up_mm = up,
+                       .down_mm = down,
+                       .foot_least_mm = 28.0 * climate.size,
+                       .foot_most_mm = widest_foot_mm * climate.size,
+                       .steepest = std::max(manner.steepest, leans),
+                       .steepest_at_foot = std::max(manner.steepest_at_foot, leans),
+                       .keeps_slopes = climate.wide});
 }
 
 // A hand that passes the rim upward pulls it along.
@@ -857,8 +861,7 @@ Changed pull_below(GripState& state, Rings& rings, GripSpace& space, double clim
 }
 
 Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
-    const double sink_mm_s = climate.wide ? 12.0 : 8.0;
-    const double most_fraction = climate.wide ? 0.1 : 0.08;  // of the depth, a touch
+    const MannerNumbers& manner = numbers_of(climate);
     const double top = rings.top_mm();
     const double lowest_over_floor_mm =
         28.0 + dish_fraction(state, rings, climate) * (kLowestDishMm - kFloorMm - 28.0);
@@ -867,8 +870,8 @@ Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
     state.press_mm = 0.4;
     const double wanted = top - state.finger_mm.y;
     if (!(wanted > 1.0) || state.heading > -0.2) return {};
-    double sink = std::min(wanted, sink_mm_s * kGripStepS * climate.softness);
-    sink = std::min(sink, most_fraction * depth - state.sunk_mm);
+    double sink = std::min(wanted, manner.rim_mm_s * kGripStepS * climate.softness);
+    sink = std::min(sink, manner.rim_fraction * depth - state.sunk_mm);
     sink = std::min(sink, depth - lowest_over_floor_mm);
     if (!(sink > 0.0)) {
         state.guard = GripGuard::kAsLow;

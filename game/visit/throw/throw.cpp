@@ -126,8 +126,8 @@ void touch_clay(Turn& turn, bool goes_on) {
     State& state = turn.state;
     end_show(turn);
     end_aside(turn);
-    // Work by guided hands that a key started some time ago does not close cards opened since.
     state.throwing.asks_solid = false;
+    // Work by guided hands that a key started some time ago does not close cards opened since.
     if (!goes_on) state.throwing.tray = state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
     state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
     const bool rested = !state.pace.held && turn.now_s - state.pace.touched_s >= turn.rules.show_rests_s;
