@@ -483,18 +483,17 @@ void draw_throw(Page& page) {
         chip(page, {x, std::clamp(at.y + 20.0F, 120.0F, y - 2.0F * kHigh), kWide, kHigh},
              page.t("wire.off", page.digits(std::to_string(view.wire_off_mm))));
     }
-    if (view.state.device_lost || view.state.force_rests) {
+    const char* const notice = view.state.device_lost    ? "dev.lost"
+                               : view.state.force_rests  ? "dev.rest"
+                               : throwing.asks_solid     ? "solid.ask"
+                               : throwing.jar.is_low     ? "moon.low"
+                               : throwing.jar.rims_apart ? "moon.more"
+                                                         : nullptr;
+    if (notice != nullptr) {
+        // Between the tokens at the top, or below them.
         const bool tall = page.is_tall();
-        const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
-        chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
-             page.t(view.state.device_lost ? "dev.lost" : "dev.rest"));
-    } else if (throwing.asks_solid || throwing.jar.is_low || throwing.jar.rims_apart) {
-        const bool tall = page.is_tall();
-        const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 400.0F);
-        chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 84.0F},
-             page.t(throwing.asks_solid   ? "solid.ask"
-                    : throwing.jar.is_low ? "moon.low"
-                                          : "moon.more"));
+        const float wide = tall ? page.width() - 64.0F : std::min(660.0F, page.width() - 600.0F);
+        chip(page, {middle - 0.5F * wide, tall ? 104.0F : 28.0F, wide, 48.0F}, page.t(notice));
     } else if (!view.heard.empty()) {
         // If the hand's pad and the caption do not fit side by side, the caption is opposite the pad.
         const bool beside = page.is_tall() && has_hand_pad(view);
@@ -505,7 +504,7 @@ void draw_throw(Page& page) {
     }
     if (view.state.throwing.target && !view.outline_px.empty() && throwing.jar.step == JarStep::kNone &&
         throwing.steps_done < kTeachingSteps && !warned) {
-        const float width = page.shape() == Shape::kWide ? 300.0F : 420.0F;
+        const float width = page.shape() == Shape::kWide ? 300.0F : 396.0F;
         chip(page, page.mirrored({24.0F, 28.0F, width, 84.0F}), page.t("out.target"));
     }
 }

@@ -70,6 +70,7 @@ TEST(KioskShare, TellsThePotsStoryInEachLanguageTheHousesFirst) {
     EXPECT_NE(about.description[0].text.find("160 mm high. Closest to: "), std::string::npos)
         << about.description[0].text;
     EXPECT_EQ(about.description[0].text.find('\n'), std::string::npos);
+    EXPECT_EQ(about.description[2].text.find(", "), std::string::npos) << "a comma of other letters";
     EXPECT_EQ(about.rights, (asset::Wordings{{"en", "CC BY 4.0"}}));
     EXPECT_EQ(about.publisher, (asset::Wordings{{"en", "House of Clay"}, {"ko", "흙의 집"}}));
     EXPECT_TRUE(about.relation.starts_with(fired.relative->record + " (")) << about.relation;

@@ -108,6 +108,24 @@ void lays_no_words_over_others(const SampleView&, const Composition& screen) {
     }
 }
 
+// The chips in the upper half of the throwing leave its tokens free.
+void lays_no_chip_over_a_target(const SampleView& sample, const Composition& screen) {
+    if (sample.view->state.screen != kiosk::Screen::kThrow) return;
+    for (const Writing& text : screen.writings) {
+        const vec2 middle = text.rect.centre();
+        const bool is_of_target = std::any_of(screen.targets.begin(), screen.targets.end(),
+                                              [&](const Target& one) { return one.rect.contains(middle); });
+        if (is_of_target || text.over || middle.y > 0.5F * screen.bounds.height) continue;
+        const Rect& words = text.within;
+        const Rect chip{words.x - 18.0F, words.y - 8.0F, words.width + 36.0F, words.height + 14.0F};
+        for (const Target& target : screen.targets) {
+            const Rect shared = overlap(chip, target.rect);
+            EXPECT_FALSE(shared.width > 0.5F && shared.height > 0.5F)
+                << text.words << " on " << target.name << ' ' << sample.name;
+        }
+    }
+}
+
 void writes_on_no_pot(const SampleView&, const Composition& screen) {
     for (const Rect& pot : screen.pots) {
         const Rect inner = pot.grown(-8.0F);
@@ -181,6 +199,7 @@ void audit_layout(const SampleView& sample, const Composition& screen) {
     lays_no_target_over_another(sample, screen);
     lets_a_picture_be_touched_clear_of_targets(sample, screen);
     lays_no_words_over_others(sample, screen);
+    lays_no_chip_over_a_target(sample, screen);
     writes_on_no_pot(sample, screen);
     keeps_reach(sample, screen);
 }

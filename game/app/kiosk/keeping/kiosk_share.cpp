@@ -92,15 +92,16 @@ void add_wordings(asset::About& about, const screens::FiredPot& pot, const finis
                   const kiosk::Language& language, bool own_digits) {
     const bool is_after = pot.relative && pot.is_after_relative;
     const std::string& name = is_after ? language.shown(pot.relative->name_key) : language.shown("file.pot");
-    about.title.push_back({language.code(), name + (language.is_arabic() ? "، " : ", ") +
-                                                within_title(language, language.spoken(glaze.name_key))});
+    const std::string comma = language.is_arabic() ? "، " : ", ";
+    about.title.push_back(
+        {language.code(), name + comma + within_title(language, language.spoken(glaze.name_key))});
     std::string made = language.shown(
         "file.made", in_own_digits(language, fmt::format("{:.0f}", pot.height_mm), own_digits));
     if (pot.relative) {
         const sharing::PotWords words = words_of(language, glaze, pot.relative.get(), own_digits);
         std::string line = words.nearest_name + '\n' + words.nearest_line;
         for (std::size_t end = line.find('\n'); end != std::string::npos; end = line.find('\n', end))
-            line.replace(end, 1, ", ");
+            line.replace(end, 1, comma);
         made += fmt::format(" {}: {}.", language.shown(is_after ? "your.after" : "your.near"), line);
     }
     about.description.push_back({language.code(), std::move(made)});
