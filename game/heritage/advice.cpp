@@ -89,12 +89,11 @@ Advice advise(const PotForm& pot, const Target& target, std::optional<double> fr
     const auto off_by = [&](double pot_mm, double museum_mm) {
         return (pot_mm - scale * museum_mm) / (scale * museum.widest_mm());
     };
-    std::array<Off, 5> parts{
-        {{PotPart::kHeight, pot.height_mm / (scale * museum.height_mm) - 1.0},
-         {PotPart::kBelly, off_by(bulge_mm(pot), bulge_mm(museum))},
-         {PotPart::kMouth, off_by(pot.mouth_mm(), museum.mouth_mm())},
-         {PotPart::kFoot, off_by(pot.foot_mm(), museum.foot_mm())},
-         {PotPart::kWall, kOfWall * std::max(0.0, wall_mm / kThinWallMm - 1.0)}}};
+    std::array<Off, 5> parts{{{PotPart::kHeight, pot.height_mm / (scale * museum.height_mm) - 1.0},
+                              {PotPart::kBelly, off_by(bulge_mm(pot), bulge_mm(museum))},
+                              {PotPart::kMouth, off_by(pot.mouth_mm(), museum.mouth_mm())},
+                              {PotPart::kFoot, off_by(pot.foot_mm(), museum.foot_mm())},
+                              {PotPart::kWall, kOfWall * std::max(0.0, wall_mm / kThinWallMm - 1.0)}}};
     const auto is_asked = [&](const Off& off) {
         if (off.part == PotPart::kHeight) return fraction.has_value();
         if (off.part == PotPart::kBelly) return has_belly(museum);

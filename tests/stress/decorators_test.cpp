@@ -239,10 +239,7 @@ TEST_F(Decorators, FindTheirStrokesAfterAPowerCut) {
     again.touch();
     ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kResume; }, kSlowly));
     ASSERT_TRUE(again.press(Button::kResumeGo));
-    ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kThrow; }, kSlowly));
-    ASSERT_TRUE(again.until([&] { return again.snapshot().pot->height_mm > 65.0; }, kSlowly));
-    ASSERT_TRUE(again.ends_throwing());
-    ASSERT_TRUE(again.dries());
+    ASSERT_TRUE(again.dries()) << "it was cut off already";
     ASSERT_TRUE(again.until([&] { return again.state().decorating.strokes == 2; }, kSlowly))
         << again.state().decorating.strokes << " strokes";
     // Discarding the pot discards its decoration.

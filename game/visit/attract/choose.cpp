@@ -45,6 +45,14 @@ FittedLines card_words(Page& page, const Choice& choice, vec2 card) {
     return page.fitted(std::move(lines), {card.x - 22.0F, card.y - 26.0F});
 }
 
+// Writes what the pot was for, where a card has room for it.
+void add_use(Page& page, const Rect& rect, const Exhibit& exhibit) {
+    const auto language = static_cast<std::size_t>(page.view().state.comfort.language);
+    if (!exhibit.card || language >= exhibit.card->lines.size()) return;
+    const Words use{.text = exhibit.card->lines[language].front(), .colour = design::kInk2};
+    if (page.words_size(use, page.text_scale(), rect.width).height <= rect.height) page.words(rect, use);
+}
+
 void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     const bool free = choice.exhibit == nullptr;
     page.card_target(card, free, free ? Button::kFree : Button::kTarget, free ? 0 : index - 1, choice.name);
@@ -53,6 +61,9 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     // The size is always the card's last line.
     if (choice.exhibit != nullptr) {
         const float room = fitted.heights.back();
+        const float used = fitted.height - room;
+        add_use(page, {inner.x, inner.y + used + 10.0F, inner.width, inner.height - used - room - 20.0F},
+                *choice.exhibit);
         page.fixed_words({inner.x, inner.bottom() - room, inner.width, room + 2.0F}, fitted.lines.back());
         fitted.lines.pop_back();
     }
@@ -107,9 +118,8 @@ float shared_scale(const ShownChoices& shown, vec2 box) {
 // Returns the pot's touch target, which is large enough even for a flat bowl.
 Rect choice_pot(Page& page, const Choice& choice, float scale, vec2 foot) {
     const bool free = choice.exhibit == nullptr;
-    const Rect rect =
-        page.pot(shape_of(choice), free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale,
-                 foot);
+    const Rect rect = page.pot(
+        shape_of(choice), free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale, foot);
     page.keep_clear(rect);
     const float wide = std::max(rect.width, design::kLeastTarget);
     const float high = std::max(rect.height, design::kLeastTarget);

@@ -200,11 +200,12 @@ void stand_pots(Page& page, const Stands& stands, float stage_width, float foot_
     page.keep_clear(page.pot(relative->shape, finish::glaze_at(relative->glaze), stands.other_scale,
                              {page.mirrored(stands.other_x), foot_y}, kDimmer));
     const float name_x = stands.own_x + 0.5F * kNameWidth + 12.0F;
-    page.words(page.mirrored({name_x, names_y, stage_width - 16.0F - name_x, page.is_square() ? 170.0F : 106.0F}),
-               {.text = page.t(relative->name_key) + " \u00b7 " + page.whole_mm(relative->height_mm) + "\n" +
-                        page.t(relative->museum_key),
-                .type = design::kNote,
-                .align = ui::Align::kCentre});
+    page.words(
+        page.mirrored({name_x, names_y, stage_width - 16.0F - name_x, page.is_square() ? 170.0F : 106.0F}),
+        {.text = page.t(relative->name_key) + " \u00b7 " + page.whole_mm(relative->height_mm) + "\n" +
+                 page.t(relative->museum_key),
+         .type = design::kNote,
+         .align = ui::Align::kCentre});
 }
 
 void draw_your_pot(Page& page) {
@@ -219,7 +220,8 @@ void draw_your_pot(Page& page) {
     const float stage_width = page.by_shape(760.0F, 560.0F, width);
     const Stands stands = view.pot ? stands_of(*view.pot, stage_width, foot_y) : Stands{};
     // The light is on the visitor's pot.
-    page.museum({page.mirrored(stands.own_x), shelf_y - 230.0F}, {(tall ? 0.62F : 0.38F) * width, 0.62F * height}, 0.42F);
+    page.museum({page.mirrored(stands.own_x), shelf_y - 230.0F},
+                tall ? vec2(0.62F * width, 0.3F * height) : vec2(0.38F * width, 0.62F * height), 0.42F);
     page.shelf(shelf_y, 34.0F);
     page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x150e09), ui::hex(0x231912));
     const bool is_off_round = view.pot && view.pot->off_round_mm.value_or(0.0) >= kRoundMm;

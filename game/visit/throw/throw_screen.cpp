@@ -448,8 +448,7 @@ void add_question_ledge(Page& page) {
             return;
         case Shape::kTall:
             add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 108.0F + growth(page).caption}, question, {});
-            tokens({32.0F, y, width - 64.0F, 80.0F},
-                   {width - 300.0F, second_row_y(page), 268.0F, 80.0F});
+            tokens({32.0F, y, width - 64.0F, 80.0F}, {width - 300.0F, second_row_y(page), 268.0F, 80.0F});
             return;
     }
 }

@@ -247,7 +247,8 @@ TEST(VisitPlaces, RejectsAnythingElseInOneLine) {
         ASSERT_FALSE(read) << text;
         EXPECT_EQ(read.error().kind, ErrorKind::kBadInput);
         EXPECT_EQ(read.error().message.find('\n'), std::string::npos) << read.error().message;
-        EXPECT_NE(read.error().message.find("place.json: expected the choices of a visit"), std::string::npos);
+        EXPECT_NE(read.error().message.find("place.json: expected the choices of a visit"),
+                  std::string::npos);
     }
 }
 

@@ -101,7 +101,8 @@ TEST_F(Cue, PointsAtThePlaceOfTheKeysAlsoWhileTheHandWorksThere) {
     EXPECT_FALSE(place->step) << "one arrow is enough";
     EXPECT_FALSE(draws_up(2.0, 20.0)) << "a visitor who knows how";
     const clay::studio::GripReport works{.grip = Grip::kWall, .hand_mm = {50.0, 30.0}};
-    place = cue_.look({.now_s = now_s_ += 0.016, .shape = shape_, .grip = works, .marker_mm = dvec2(50.0, 30.0)});
+    place =
+        cue_.look({.now_s = now_s_ += 0.016, .shape = shape_, .grip = works, .marker_mm = dvec2(50.0, 30.0)});
     ASSERT_TRUE(place && place->marker_mm);
     place = cue_.look({.now_s = now_s_ += 0.016,
                        .shape = shape_,

@@ -68,9 +68,8 @@ TEST(FiredPot, IsScoredAgainstThePotThatWasChosen) {
     EXPECT_EQ(pot.relative.get(), &(*kiosk.relatives)[chosen]);
     ASSERT_TRUE(pot.off_outline_mm);
     const heritage::Target& target = kiosk.targets[chosen];
-    EXPECT_EQ(*pot.off_outline_mm,
-              heritage::profile_rms_mm(heritage::form_of(like_another), target,
-                                       heritage::size_on_this_wheel(target).fraction));
+    EXPECT_EQ(*pot.off_outline_mm, heritage::profile_rms_mm(heritage::form_of(like_another), target,
+                                                            heritage::size_on_this_wheel(target).fraction));
     EXPECT_FALSE(fired_pot(like_another, kiosk.targets, kiosk.relatives).off_outline_mm)
         << "nobody chose the pot that it resembles";
 }

@@ -55,9 +55,8 @@ std::shared_ptr<const View> view_of(const SampleRequest& request, const Thrown& 
 }
 
 bool is_written(const Composition& screen, const std::string& words) {
-    return std::any_of(screen.writings.begin(), screen.writings.end(), [&](const Writing& text) {
-        return text.words.find(words) != std::string::npos;
-    });
+    return std::any_of(screen.writings.begin(), screen.writings.end(),
+                       [&](const Writing& text) { return text.words.find(words) != std::string::npos; });
 }
 
 class YourPot : public testing::Test {
@@ -76,8 +75,8 @@ TEST_F(YourPot, IsAThirdOfThePicturesHeightBesideAnyMuseumPot) {
                 for (const Thrown& thrown : thrown_pots()) {
                     SCOPED_TRACE(fmt::format("{} at {} x {}, reach {}, vat {}", thrown.name, width, height,
                                              reach, beside_vat));
-                    const auto view = view_of({.width_px = width, .height_px = height, .reach = reach},
-                                              thrown, beside_vat);
+                    const auto view =
+                        view_of({.width_px = width, .height_px = height, .reach = reach}, thrown, beside_vat);
                     ASSERT_TRUE(view);
                     const Composition screen = composed(*view);
                     ASSERT_EQ(screen.pots.size(), 2U);

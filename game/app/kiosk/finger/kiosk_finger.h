@@ -116,12 +116,12 @@ class KioskFinger {
 
     Presser presser_ = Presser::kNobody;
     dvec2 finger_mm_{0.0};
-    dvec2 shown_before_mm_{0.0};  // the finger in the last frame
+    dvec2 shown_before_mm_{0.0};     // the finger in the last frame
     std::optional<dvec2> began_mm_;  // of a touch that no request has shown yet
     bool is_lifted_ = false;         // the touch ends when its last place was requested
-    double idle_s_ = 1e9;         // since the finger last moved
-    bool pad_held_ = false;       // the gamepad's button; a new press needs a release first
-    bool pad_has_come_ = false;   // the gamepad's finger is at the clay on the wheel
+    double idle_s_ = 1e9;            // since the finger last moved
+    bool pad_held_ = false;          // the gamepad's button; a new press needs a release first
+    bool pad_has_come_ = false;      // the gamepad's finger is at the clay on the wheel
     KioskTouch touch_;
     std::deque<WaitingKey> waiting_;         // keys that arrived during a touch
     std::uint64_t touches_ = 0;              // touches begun so far, by any input

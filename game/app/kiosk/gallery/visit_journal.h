@@ -25,8 +25,8 @@ struct VisitPlace {
 
     friend bool operator==(const VisitPlace&, const VisitPlace&) = default;
 };
-// In FOLDER/place.json. write_place() creates the folder when needed; read_place() returns the default without
-// a file. kBadInput: the file is damaged, or of a later version.
+// In FOLDER/place.json. write_place() creates the folder when needed; read_place() returns the default
+// without a file. kBadInput: the file is damaged, or of a later version.
 Result<void> write_place(const std::filesystem::path& folder, const VisitPlace& place);
 [[nodiscard]] Result<VisitPlace> read_place(const std::filesystem::path& folder);
 void remove_place(const std::filesystem::path& folder) noexcept;

@@ -162,7 +162,7 @@ void VisitScene::point_at(screens::Cue& cue, const pot::Pot& shape, const dvec2&
     const auto px = parts_.view.project({marker_mm.x, marker_mm.y, 0.0});
     if (!px) return;
     const bool is_right = marker_mm.x > 0.0;
-    const auto way = marker_mm.x == 0.0 ? screens::CueWay::kDown
+    const auto way = marker_mm.x == 0.0                                   ? screens::CueWay::kDown
                      : marker_mm.y >= shape.height_mm && !is_solid(shape) ? screens::CueWay::kUp
                      : is_right                                           ? screens::CueWay::kLeft
                                                                           : screens::CueWay::kRight;
