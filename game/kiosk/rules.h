@@ -9,6 +9,7 @@ namespace onggi::kiosk {
 struct Rules {
     double idle_s = 45.0;
     double countdown_s = 20.0;
+    double works_most_s = 180.0;   // for how long the program's own work stops the idle timeout
     double hint_again_s = 6.0;     // time without progress until the cue for the next move returns
     bool shows_by_itself = true;   // the wheel's hands demonstrate a step unasked
     double show_after_s = 8.0;     // time without progress until they do

@@ -52,6 +52,7 @@ std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk:
     if (!is_there(snapshot)) return std::nullopt;
     ClayNews news{.steps_done = lesson_.steps_done(*snapshot.pot),
                   .is_solid = is_solid(*snapshot.pot),
+                  .thick_mm = thick_wall_mm(*snapshot.pot),
                   .warning = warning_of(snapshot.load, before)};
     const clay::studio::Failure& failure = snapshot.load.failure;
     const double height_mm = snapshot.pot->height_mm;
@@ -154,7 +155,7 @@ void VisitWheel::take_clay(const haptic::Snapshot& snapshot, bool holder_lives) 
     const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);
     clay_is_there_ = news.has_value();
     if (!news) return;
-    flow_.dispatch(event::Progress{news->steps_done, news->is_solid});
+    flow_.dispatch(event::Progress{news->steps_done, news->is_solid, news->thick_mm});
     flow_.dispatch(event::Warned{news->warning});
     if (!news->gave_way) return;
     finger_.release();
