@@ -85,7 +85,8 @@ pot::Pot walled(double wall_mm, double lean) {
         const double outer_mm = 45.0 + lean * kRingMm * ring;
         const double level_mm = wall_mm * std::hypot(1.0, lean);
         pot.outer_mm.push_back(static_cast<float>(outer_mm));
-        pot.inner_mm.push_back(ring * kRingMm < pot.floor_mm ? 0.0F : static_cast<float>(outer_mm - level_mm));
+        pot.inner_mm.push_back(ring * kRingMm < pot.floor_mm ? 0.0F
+                                                             : static_cast<float>(outer_mm - level_mm));
     }
     return pot;
 }
