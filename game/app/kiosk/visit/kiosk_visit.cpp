@@ -81,9 +81,12 @@ Result<void> KioskVisit::frame(double now_s) {
         began_s_ = now_s;
         tell_whether_idle();
     }
+    const haptic::Snapshot& snapshot = parts_.job.newest_snapshot();
+    const auto periods = static_cast<double>(snapshot.periods - std::exchange(periods_, snapshot.periods));
     const VisitMoment moment{.now_s = now_s,
                              .dt_s = std::clamp(frame_s, 0.0, kLongestFrameS),
-                             .snapshot = parts_.job.newest_snapshot()};
+                             .clay_s = std::min(periods / parts_.rate_hz, kLongestFrameS),
+                             .snapshot = snapshot};
     moment_ = &moment;
     desk_.see_frame(now_s, kMsPerS * frame_s, moment.snapshot);
     desk_.see_restless(input_.restless());

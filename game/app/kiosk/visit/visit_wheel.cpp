@@ -200,7 +200,7 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
                                             .size = trims ? flow_.state().trimming.loop : throwing.tool,
                                             .water = throwing.water,
                                             .speed = throwing.speed},
-                                           *moment.snapshot.pot, moment.dt_s);
+                                           *moment.snapshot.pot, moment.clay_s);
     tool.wheel_button = step.turns_wheel && flow_.state().panel != Panel::kIdle;
     parts_.pointer.set_target(tool);
     soak(moment);
@@ -211,7 +211,7 @@ void VisitWheel::soak(const VisitMoment& moment) {
     const haptic::Snapshot& snapshot = moment.snapshot;
     const bool soaks = snapshot.tool.tool == tool::Tool::kSponge && snapshot.tool.guided &&
                        snapshot.result.grip.grip != clay::studio::Grip::kNone && !finger_.shows();
-    soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
+    soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.clay_s : 0.0;
     if (soaked_rad_ < kTurn) return;
     soaked_rad_ = 0.0;
     flow_.dispatch(event::Soaked{});
