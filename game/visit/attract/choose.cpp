@@ -45,14 +45,6 @@ FittedLines card_words(Page& page, const Choice& choice, vec2 card) {
     return page.fitted(std::move(lines), {card.x - 22.0F, card.y - 26.0F});
 }
 
-// Writes what the pot was for, where a card has room for it.
-void add_use(Page& page, const Rect& rect, const Exhibit& exhibit) {
-    const auto language = static_cast<std::size_t>(page.view().state.comfort.language);
-    if (!exhibit.card || language >= exhibit.card->lines.size()) return;
-    const Words use{.text = exhibit.card->lines[language].front(), .colour = design::kInk2};
-    if (page.words_size(use, page.text_scale(), rect.width).height <= rect.height) page.words(rect, use);
-}
-
 void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     const bool free = choice.exhibit == nullptr;
     page.card_target(card, free, free ? Button::kFree : Button::kTarget, free ? 0 : index - 1, choice.name);
@@ -61,9 +53,6 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     // The size is always the card's last line.
     if (choice.exhibit != nullptr) {
         const float room = fitted.heights.back();
-        const float used = fitted.height - room;
-        add_use(page, {inner.x, inner.y + used + 10.0F, inner.width, inner.height - used - room - 20.0F},
-                *choice.exhibit);
         page.fixed_words({inner.x, inner.bottom() - room, inner.width, room + 2.0F}, fitted.lines.back());
         fitted.lines.pop_back();
     }

@@ -76,15 +76,17 @@ TEST(FiredPot, IsScoredAgainstThePotThatWasChosen) {
 
 // An open pot of a kilogram with that wall, upright or leaning outwards.
 pot::Pot walled(double wall_mm, double lean) {
-    constexpr int kRings = 100;
+    constexpr int kRings = 400;
+    constexpr double kRingMm = 0.25;
     pot::Pot pot;
-    pot.height_mm = 100.0;
+    pot.height_mm = kRings * kRingMm;
     pot.floor_mm = 10.0;
     for (int ring = 0; ring < kRings; ++ring) {
-        const double outer_mm = 45.0 + lean * ring;
+        const double outer_mm = 45.0 + lean * kRingMm * ring;
         const double level_mm = wall_mm * std::hypot(1.0, lean);
         pot.outer_mm.push_back(static_cast<float>(outer_mm));
-        pot.inner_mm.push_back(ring < 10 ? 0.0F : static_cast<float>(outer_mm - level_mm));
+        pot.inner_mm.push_back(ring * kRingMm < pot.floor_mm ? 0.0F
+                                                             : static_cast<float>(outer_mm - level_mm));
     }
     return pot;
 }
@@ -94,10 +96,10 @@ TEST(ThickWall, IsNamedByItsThickestPlaceAndNotWhereItIsThinEnough) {
     EXPECT_EQ(thick_wall_mm(walled(11.5, 0.0)), 12) << "in the mean, too thick";
     EXPECT_EQ(thick_wall_mm(walled(6.0, 0.0)), 0);
     pot::Pot base = walled(6.0, 0.0);
-    for (std::size_t ring = 10; ring < 30; ++ring)
+    for (std::size_t ring = 40; ring < 120; ++ring)
         base.inner_mm[ring] = base.outer_mm[ring] - 18.0F;
     EXPECT_EQ(thick_wall_mm(base), 18) << "low down, where clay is left";
-    for (std::size_t ring = 15; ring < 30; ++ring)
+    for (std::size_t ring = 62; ring < 120; ++ring)
         base.inner_mm[ring] = base.outer_mm[ring] - 6.0F;
     EXPECT_EQ(thick_wall_mm(base), 0) << "the round between floor and wall";
     pot::Pot solid = walled(22.0, 0.0);

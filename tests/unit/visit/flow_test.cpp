@@ -138,7 +138,7 @@ TEST_F(Kiosk, GoesOnForAnySignOfLifeDuringTheCountdown) {
 }
 
 TEST_F(Kiosk, TakesNewClayFromTheCountdownWhenAsked) {
-    visitor.keeps().waits(50.0).presses(Button::kFresh);
+    visitor.keeps().does(event::Saved{1}).waits(50.0).presses(Button::kFresh);
     EXPECT_EQ(visitor.state.screen, Screen::kThrow);
     EXPECT_TRUE(std::holds_alternative<effect::FreshClay>(visitor.last.back()));
 }
@@ -220,9 +220,9 @@ TEST_F(Kiosk, AdvisesNoPullOfAWallThatIsAboutToSink) {
 
 TEST_F(Kiosk, CountsNoIdleTimeWhileItKeepsAndPacksThePot) {
     visitor.rules.shares = true;
-    visitor.keeps().waits(100.0);
+    visitor.keeps().waits(80.0);
     EXPECT_EQ(visitor.state.panel, Panel::kNone) << "the disk is slow";
-    visitor.does(event::Saved{3}).waits(100.0);
+    visitor.does(event::Saved{3}).waits(80.0);
     EXPECT_EQ(visitor.state.keeping.phone, Phone::kPacking);
     EXPECT_EQ(visitor.state.panel, Panel::kNone) << "the visitor waits for the code";
     visitor.does(event::Shared{3, ShareOutcome::kReady}).waits(visitor.rules.idle_s - 0.2);
