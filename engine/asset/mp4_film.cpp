@@ -21,11 +21,11 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-// The quantiser of every picture: an SSIM of 0.99 against what was drawn, with margin, at a third of the
-// WebP's bytes (game/app/replay/README.md). A step of 2 changes the bytes by a quarter.
-constexpr int kQuantiser = 18;
-// Ten seconds at 12.5 pictures per second. A player that jumps decodes at most as many.
-constexpr unsigned kPicturesPerKey = 125;
+// Some ten seconds at 12.5 pictures per second; a player that jumps decodes at most as many. Whole groups.
+constexpr unsigned kPicturesPerKey = 128;
+// Pictures are predicted in groups of eight, and finer the more others follow from them: a tenth fewer bytes.
+constexpr int kTemporalLayers = 4;
+constexpr int kMostQuantiser = 51;
 constexpr int kLongestMs = 1000;
 constexpr std::uint32_t kMsPerS = 1000;
 // Of libwebp's colours: primaries and curve of sRGB, the matrix of BT.601 (Rec. ITU-T H.264, table E-3 to
@@ -201,7 +201,7 @@ struct EncoderEnd {
     }
 };
 
-void describe(SEncParamExt& to, const Track& track) {
+void describe(SEncParamExt& to, const Track& track, int quantiser) {
     const float per_s = static_cast<float>(kMsPerS) / static_cast<float>(track.picture_ms);
     to.iUsageType = CAMERA_VIDEO_REAL_TIME;
     to.iPicWidth = static_cast<int>(track.width);
@@ -210,6 +210,7 @@ void describe(SEncParamExt& to, const Track& track) {
     to.iRCMode = RC_OFF_MODE;
     to.bEnableFrameSkip = false;
     to.uiIntraPeriod = kPicturesPerKey;
+    to.iTemporalLayerNum = kTemporalLayers;
     to.iComplexityMode = HIGH_COMPLEXITY;
     to.iEntropyCodingModeFlag = 1;
     to.eSpsPpsIdStrategy = CONSTANT_ID;
@@ -220,7 +221,7 @@ void describe(SEncParamExt& to, const Track& track) {
     layer.iVideoWidth = to.iPicWidth;
     layer.iVideoHeight = to.iPicHeight;
     layer.fFrameRate = per_s;
-    layer.iDLayerQp = kQuantiser;
+    layer.iDLayerQp = quantiser;
     layer.uiProfileIdc = PRO_HIGH;
     layer.sSliceArgument.uiSliceMode = SM_SINGLE_SLICE;
     layer.bVideoSignalTypePresent = layer.bColorDescriptionPresent = true;
@@ -272,6 +273,9 @@ Mp4Film::~Mp4Film() = default;
 Result<Mp4Film> Mp4Film::create(const Mp4FilmDesc& desc) {
     if (desc.picture_ms < 1 || desc.picture_ms > kLongestMs)
         return bad_input(fmt::format("MP4: expected 1 to {} ms, found {}", kLongestMs, desc.picture_ms));
+    if (desc.quantiser < 1 || desc.quantiser > kMostQuantiser)
+        return bad_input(
+            fmt::format("MP4: expected a quantiser of 1 to {}, found {}", kMostQuantiser, desc.quantiser));
     auto encoder = std::make_unique<Encoder>();
     encoder->desc = desc;
     const auto even = [](int side) { return static_cast<std::uint32_t>(std::max(side, 0)) & ~1U; };
@@ -285,7 +289,7 @@ Result<Mp4Film> Mp4Film::create(const Mp4FilmDesc& desc) {
     made->SetOption(ENCODER_OPTION_TRACE_LEVEL, &silent);
     SEncParamExt wanted;
     made->GetDefaultParams(&wanted);
-    describe(wanted, encoder->track);
+    describe(wanted, encoder->track, desc.quantiser);
     if (made->InitializeExt(&wanted) != cmResultSuccess) {
         return bad_input(
             fmt::format("MP4: expected a size for H.264, 16 x 16 to some 9 million pixels, found {} x {}",

@@ -17,6 +17,8 @@ struct Mp4FilmDesc {
     int width = 480;  // pixels, of every picture; the last column and row of an odd size are left out
     int height = 360;
     int picture_ms = 80;  // duration of each picture, 1 to 1000
+    // 1 to 51, of the coarsest pictures; a step of 3 changes the bytes by a quarter.
+    int quantiser = 22;
 };
 
 // Encodes pictures in order and stores only the encoded data. The first picture can be decoded alone and the
@@ -24,7 +26,7 @@ struct Mp4FilmDesc {
 // one machine.
 class Mp4Film {
   public:
-    // kBadInput: a size that H.264 has no level for, a duration outside its bounds.
+    // kBadInput: a size that H.264 has no level for, a duration or a quantiser outside its bounds.
     [[nodiscard]] static Result<Mp4Film> create(const Mp4FilmDesc& desc);
     Mp4Film(Mp4Film&&) noexcept;
     Mp4Film& operator=(Mp4Film&&) noexcept;
