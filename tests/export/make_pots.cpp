@@ -71,7 +71,8 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
                     nlohmann::json& expected) {
     const clay::ClayBody body = pot.clay.lump().body;
     const auto worn = look::lathe_look(wheel::clay_material(body, pot.stage), "clay");
-    const auto drawing = look::pot_drawing(pot.clay, pot.stage, ui::VectorKind::kSvg, "House of Clay. CC BY 4.0");
+    const auto drawing =
+        look::pot_drawing(pot.clay, pot.stage, ui::VectorKind::kSvg, "House of Clay. CC BY 4.0");
     std::ofstream(folder / (pot.name + ".json")) << exporter::pot_json(pot.clay);
     if (!write_print(folder / pot.name, exporter::pot_file(pot.clay, pot.stage)) ||
         !write(folder / (pot.name + ".svg"), drawing) ||
@@ -124,7 +125,8 @@ bool add_told_pot(const std::filesystem::path& folder, const support::StudioSamp
     const auto mp4 = video->finish();
     const auto built = exporter::viewed_solid(pot.clay, pot.stage);
     const auto drawing = look::pot_drawing(pot.clay, pot.stage, ui::VectorKind::kSvg);
-    if (!webp || !mp4 || !drawing || !built || !write_print(place, exporter::pot_file(pot.clay, pot.stage, story)) ||
+    if (!webp || !mp4 || !drawing || !built ||
+        !write_print(place, exporter::pot_file(pot.clay, pot.stage, story)) ||
         !write(folder / "told.png", asset::picture_about(*png, story.about)) ||
         !write(folder / "told.webp", asset::picture_about(*webp, story.about)) ||
         !write(folder / "told.mp4", asset::picture_about(*mp4, story.about)) ||

@@ -1,7 +1,7 @@
-// make_outbox SESSION|SAMPLE FOLDER [--glaze NAME] [--decorated] [--poster FILE] [--film FILE [--mp4 FILE]]
-// [--drawing FILE] [--surface FILE] [--url URL]: puts the pot that a session left, or one of tests/support/studio_samples.h by its name, into
-// the outbox FOLDER/box, as the kiosk does, with Korean, English and Arabic pages, for checks that other
-// programs make; and copies the published files to FOLDER/pot.glb and so on. Prints the code.
+// make_outbox SESSION|SAMPLE FOLDER [OPTION FILE ...]: puts the pot that a session left, or one of
+// tests/support/studio_samples.h by its name, into the outbox FOLDER/box, as the kiosk does, with Korean,
+// English and Arabic pages, for checks that other programs make; and copies the published files to
+// FOLDER/pot.glb and so on. Prints the code.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
