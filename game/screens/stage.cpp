@@ -36,7 +36,30 @@ double change_s(const Composed& before, const Composed& now) {
 
 bool are_alike(const Item& a, const Item& b) {
     return !a.turning && !b.turning && a.rect == b.rect && a.key == b.key && a.alpha == b.alpha &&
-           (a.painting == nullptr) == (b.painting == nullptr) && a.corners == b.corners;
+           (a.painting == nullptr) == (b.painting == nullptr) && a.corners == b.corners &&
+           a.motion == b.motion;
+}
+
+struct Moved {
+    float alpha = 1.0F;
+    float down_u = 0.0F;
+};
+Moved moved(const Motion& motion, double since_s) {
+    // Two slow waves whose beat does not repeat within a visit; slower than the three flashes a second of
+    // WCAG 2.3.1.
+    constexpr float kWavesRadS[] = {5.1F, 8.3F};
+    const auto since = static_cast<float>(since_s);
+    const float along =
+        motion.lasts_s > 0.0F ? std::clamp((since - motion.begins_s) / motion.lasts_s, 0.0F, 1.0F) : 1.0F;
+    const float eased = along * along * (3.0F - 2.0F * along);
+    const float wave = 0.6F * std::sin(kWavesRadS[0] * since + motion.phase_rad) +
+                       0.4F * std::sin(kWavesRadS[1] * since + 2.0F * motion.phase_rad);
+    return {.alpha = std::lerp(motion.from_alpha, motion.to_alpha, eased) *
+                     (1.0F - 0.5F * motion.flicker * (1.0F + wave)),
+            .down_u = motion.from_y_u * (1.0F - eased)};
+}
+Moved moved_to_the_end(const Motion& motion) {
+    return {.alpha = motion.to_alpha};
 }
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -242,8 +265,10 @@ void Stage::add(const Composed& composed, const StageFrame& frame, const Fade& f
     for (std::size_t i = 0; i < composition.items.size(); ++i) {
         if (fade.part != Part::kAll && (alike[i] != 0) != (fade.part == Part::kAlike)) continue;
         const Item& item = composition.items[i];
-        const float item_alpha = fade.alpha * item.alpha;
-        vec2 shift(0.0F, composition.covers ? 0.0F : fade.rise_u);
+        const Moved moves = is_now && !is_still(composed) ? moved(item.motion, frame.now_s - since_s_)
+                                                          : moved_to_the_end(item.motion);
+        const float item_alpha = fade.alpha * item.alpha * moves.alpha;
+        vec2 shift(0.0F, moves.down_u + (composition.covers ? 0.0F : fade.rise_u));
         const bool pressed = is_now && item.target >= 0 && item.target == frame.pressed;
         if (item_alpha <= 0.0F) continue;
         if (!item.painting) {

@@ -16,6 +16,19 @@
 
 namespace onggi::screens {
 
+// How an item appears after its screen has come, and flickers. Still screens and pictures show its end.
+struct Motion {
+    float begins_s = 0.0F;  // since the screen came
+    float lasts_s = 0.0F;
+    float from_alpha = 1.0F;
+    float to_alpha = 1.0F;
+    float from_y_u = 0.0F;  // from above (negative) or below to its place
+    float flicker = 0.0F;   // fraction by which it dims and brightens
+    float phase_rad = 0.0F;
+
+    friend bool operator==(const Motion&, const Motion&) = default;
+};
+
 struct Item {
     ui::Rect rect;
     std::uint64_t key = 0;                         // key of its painting in the atlas; 0: a shaded box
@@ -27,6 +40,7 @@ struct Item {
     float alpha = 1.0F;  // less than 1: disabled
     bool is_words = false;
     std::shared_ptr<const TurningPot> turning;  // `painting` is its first picture
+    Motion motion{};
 };
 
 struct Target {

@@ -189,6 +189,14 @@ class Page {
 
     // Makes the newest target react to touches in this rect of the picture too.
     void also_touched_at(const ui::Rect& rect) { composition_.targets.back().also = rect; }
+    // What `add` adds appears by this motion.
+    template <typename Add>
+    void moving(const Motion& motion, Add&& add) {
+        const std::size_t first = composition_.items.size();
+        std::forward<Add>(add)();
+        for (std::size_t i = first; i < composition_.items.size(); ++i)
+            composition_.items[i].motion = motion;
+    }
     void keep_clear(const ui::Rect& pot) { composition_.pots.push_back(pot); }
     [[nodiscard]] Composition take();
 

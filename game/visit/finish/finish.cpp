@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "game/visit/finish/finish.h"
 #include "game/visit/flow/turn.h"
@@ -29,8 +30,8 @@ const finish::GlazeMaterial& glowing_clay() {
     static const finish::GlazeMaterial clay = [] {
         finish::GlazeMaterial made = dry_clay();
         made.id = "glowing";
-        made.body = made.colour = vec3(1.35F, 0.42F, 0.13F);
-        made.thin_colour = vec3(1.6F, 0.62F, 0.22F);
+        made.body = made.colour = vec3(1.5F, 0.22F, 0.04F);
+        made.thin_colour = vec3(1.8F, 0.36F, 0.08F);
         // The decoration glows too; dark colours glow less.
         finish::MarkPalette& marks = made.marks;
         for (vec3* colour :
@@ -59,7 +60,7 @@ void kiln(Page& page, vec2 floor, float scale) {
     ui::Sketch glow;
     glow.add(ui::Ellipse{{shine.x - seen.x, shine.y - seen.y, shine.width, shine.height},
                          ui::Fill::round(ui::hex(0xc2561c, 0.85F), ui::hex(0x1b0f09, 0.0F))});
-    page.sprite(seen, std::move(glow));
+    page.moving({.flicker = 0.22F}, [&] { page.sprite(seen, std::move(glow)); });
     ui::Sketch sketch;
     // The arch and bricks are drawn in a field of 660 x 510.
     const ui::Placing placing{.at = {0.0F, 0.0F}, .scale = vec2(scale)};
@@ -85,12 +86,6 @@ void kiln(Page& page, vec2 floor, float scale) {
     sketch.add(ui::Shape{
         .path = bricks, .placing = placing, .stroke = ui::hex(0x4d2612, 0.9F), .stroke_width = 3.0F});
     page.sprite(field, std::move(sketch));
-}
-
-float fitting_scale(const pot::Section& shape, float box_width, float box_height) {
-    const float across = 2.0F * std::max(1.0F, shape.radius_mm());
-    const float up = std::max(1.0F, shape.height_mm()) + 0.24F * shape.radius_mm();
-    return std::min((box_width - 16.0F) / across, (box_height - 16.0F) / up);
 }
 
 // The layout of the glaze screen's words and tokens, before mirroring.
@@ -147,6 +142,55 @@ void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMater
     page.words(page.mirrored(places.hides), words);
 }
 
+// The note on shrinking is true of the drying alone; in the kiln the sound may have a caption there.
+void add_firing_note(Page& page, const Rect& rect) {
+    const FiringStage stage = page.view().state.firing;
+    const std::string_view note = stage == FiringStage::kDry    ? "fin.note"
+                                  : stage == FiringStage::kFire ? std::string_view(page.view().heard)
+                                                                : std::string_view();
+    if (note.empty()) return;
+    page.words(rect, {.text = page.t(note),
+                      .type = design::kLabel,
+                      .colour = ui::hex(0xdcc7ac),
+                      .align = ui::Align::kCentre});
+}
+
+// Soft flames behind the pot; `floor` as for kiln().
+void fire(Page& page, vec2 floor, float scale) {
+    struct Flame {
+        vec2 middle;  // from the floor's middle
+        vec2 size;
+    };
+    constexpr std::array kFlames{
+        Flame{{-195.0F, -70.0F}, {90.0F, 300.0F}},  Flame{{-120.0F, -120.0F}, {120.0F, 420.0F}},
+        Flame{{-30.0F, -170.0F}, {140.0F, 520.0F}}, Flame{{65.0F, -150.0F}, {130.0F, 480.0F}},
+        Flame{{140.0F, -110.0F}, {110.0F, 400.0F}}, Flame{{205.0F, -66.0F}, {80.0F, 280.0F}}};
+    float phase_rad = 0.0F;
+    for (const Flame& flame : kFlames) {
+        const vec2 size = scale * flame.size;
+        const vec2 corner = floor + scale * flame.middle - 0.5F * size;
+        ui::Sketch sketch;
+        sketch.add(ui::Ellipse{{0.0F, 0.0F, size.x, size.y},
+                               ui::Fill::round(ui::hex(0xffd384, 0.75F), ui::hex(0xf0701c, 0.0F))});
+        page.moving({.flicker = 0.8F, .phase_rad = phase_rad}, [&] {
+            page.sprite({corner.x, corner.y, size.x, size.y}, std::move(sketch));
+        });
+        phase_rad += 1.9F;
+    }
+}
+
+// The wire under the pot: drawn through from behind the pot to the visitor.
+void cutting_wire(Page& page, vec2 foot, float half_width) {
+    constexpr float kHandle = 46.0F;
+    const ui::Rect field{foot.x - half_width, foot.y - 4.0F, 2.0F * half_width, 16.0F};
+    ui::Sketch sketch;
+    sketch.add(ui::Box{
+        {0.5F * kHandle, 7.0F, field.width - kHandle, 2.0F}, 1.0F, ui::Fill::flat(ui::hex(0xd8d2c6))});
+    for (const float x : {0.0F, field.width - kHandle})
+        sketch.add(ui::Box{{x, 1.0F, kHandle, 14.0F}, 7.0F, ui::Fill::flat(ui::hex(0xb98c4e))});
+    page.moving({.lasts_s = 1.0F, .from_y_u = -26.0F}, [&] { page.sprite(field, std::move(sketch)); });
+}
+
 void draw_firing(Page& page) {
     const View& view = page.view();
     const FiringStage stage = view.state.firing;
@@ -158,18 +202,26 @@ void draw_firing(Page& page) {
     const float kiln_scale = tall ? 0.95F : 1.0F;
     if (stage == FiringStage::kFire) {
         kiln(page, floor, kiln_scale);
+        fire(page, floor, kiln_scale);
     } else {
         page.museum({floor.x, 0.4F * height}, {0.4F * width, 0.6F * height}, 0.22F);
         page.shelf(floor.y - 12.0F, 36.0F);
     }
     if (view.pot) {
         const float scale = std::min(2.4F, fitting_scale(view.pot->shape, 420.0F, tall ? 560.0F : 440.0F));
-        const finish::GlazeMaterial& clay = stage == FiringStage::kCut   ? finish::wet_clay()
-                                            : stage == FiringStage::kDry ? dry_clay()
-                                                                         : glowing_clay();
-        // The pot shrinks as it dries and in the kiln.
-        const float shrunk = stage == FiringStage::kCut ? 1.0F : stage == FiringStage::kDry ? 0.95F : 0.9F;
-        page.keep_clear(page.pot(view.pot->shape, clay, scale * shrunk, floor));
+        // The pot shrinks as it dries and in the kiln: the pot of the stage before fades into this one's.
+        constexpr std::array kShrunk{1.0F, 0.95F, 0.9F};
+        const std::array clays{&finish::wet_clay(), &dry_clay(), &glowing_clay()};
+        const auto place = static_cast<std::size_t>(stage);
+        const auto pot_of = [&](std::size_t at) {
+            return page.pot(view.pot->shape, *clays[at], scale * kShrunk[at], floor);
+        };
+        if (stage == FiringStage::kCut)
+            cutting_wire(page, floor, scale * view.pot->shape.radius_mm() + 90.0F);
+        else
+            page.moving({.begins_s = 0.7F, .lasts_s = 0.6F, .to_alpha = 0.0F}, [&] { pot_of(place - 1); });
+        page.moving({.lasts_s = 1.1F, .from_alpha = stage == FiringStage::kCut ? 1.0F : 0.0F},
+                    [&] { page.keep_clear(pot_of(place)); });
     }
     page.down({0.0F, words_y - 66.0F, width, 66.0F}, ui::hex(0x1b0f09, 0.0F), ui::hex(0x1b0f09, 0.93F));
     page.down({0.0F, words_y, width, height - words_y}, ui::hex(0x1b0f09, 0.93F), ui::hex(0x1b0f09));
@@ -203,14 +255,8 @@ void draw_firing(Page& page) {
             page.sprite({place.centre().x - 80.0F, place.y + 52.0F, 160.0F, 6.0F}, std::move(bar));
         }
     }
-    // In the kiln the sound's caption replaces the note on shrinking.
-    const bool is_heard = stage == FiringStage::kFire && !view.heard.empty();
-    page.words(tall ? Rect{33.0F, words_y + 72.0F, width - 66.0F, 72.0F}
-                    : page.mirrored({left, words_y + 64.0F, 3.0F * column - 10.0F, 36.0F}),
-               {.text = page.t(is_heard ? view.heard : "fin.note"),
-                .type = design::kLabel,
-                .colour = ui::hex(0xdcc7ac),
-                .align = ui::Align::kCentre});
+    add_firing_note(page, tall ? Rect{33.0F, words_y + 72.0F, width - 66.0F, 72.0F}
+                               : page.mirrored({left, words_y + 64.0F, 3.0F * column - 10.0F, 36.0F}));
     const float button = 180.0F;
     page.token(tall ? Rect{0.5F * (width - 280.0F), height - 130.0F, 280.0F, 80.0F}
                     : page.mirrored({width - 32.0F - button, words_y - 4.0F, button, 66.0F}),
@@ -245,8 +291,11 @@ void draw_glazes(Page& page) {
     const float box_width = page.by_shape(360.0F, 420.0F, 560.0F);
     if (view.pot) {
         const float scale = fitting_scale(view.pot->shape, box_width, shelf_y - (tall ? 110.0F : 80.0F));
-        page.keep_clear(
-            page.pot(view.pot->shape, chosen, std::min(scale, 3.2F), {centre_x, shelf_y + 12.0F}));
+        const vec2 foot(centre_x, shelf_y + 12.0F);
+        page.keep_clear(page.pot(view.pot->shape, chosen, std::min(scale, 3.2F), foot));
+        // The glaze comes out as the pot from the kiln cools.
+        page.moving({.begins_s = 0.3F, .lasts_s = 1.6F, .to_alpha = 0.0F},
+                    [&] { page.pot(view.pot->shape, glowing_clay(), std::min(scale, 3.2F), foot); });
     }
     glaze_words(page, places, chosen);
     page.token(page.mirrored(places.take), Look::kPrimary, Button::kTakeGlaze, page.t("glz.take"));
@@ -343,6 +392,12 @@ std::string_view spoken_of_glazes(const State& /*state*/) {
 bool kiln_burns(const State& state) {
     return state.screen == Screen::kFiring && state.firing == FiringStage::kFire &&
            state.panel == Panel::kNone;
+}
+
+float fitting_scale(const pot::Section& shape, float box_width, float box_height) {
+    const float across = 2.0F * std::max(1.0F, shape.radius_mm());
+    const float up = std::max(1.0F, shape.height_mm()) + 0.24F * shape.radius_mm();
+    return std::min((box_width - 16.0F) / across, (box_height - 16.0F) / up);
 }
 
 extern constinit const Step kFiringStep{.screen = Screen::kFiring,

@@ -65,7 +65,7 @@ asset::Image flatten(const Composition& composition, const ui::Colour& ground, b
         const int left = static_cast<int>(std::lround(item.rect.x * scale));
         const int top = static_cast<int>(std::lround(item.rect.y * scale));
         const std::uint8_t* pixel = item.painting->rgba.data();
-        const float strength = item.alpha;
+        const float strength = item.alpha * item.motion.to_alpha;
         for (int y = 0; y < item.painting->height; ++y) {
             for (int x = 0; x < item.painting->width; ++x, pixel += 4) {
                 if (pixel[3] == 0) continue;

@@ -18,12 +18,15 @@ namespace {
 
 class Theatre : public testing::Test {
   protected:
-    std::shared_ptr<const Composed> composed(const std::string& name, const std::string& language = "en") {
+    std::shared_ptr<const Composed> composed(const std::string& name, const std::string& language = "en",
+                                             bool is_still = false) {
         for (const SampleView& sample :
              sample_views({.width_px = 640, .height_px = 360, .language = language})) {
-            if (sample.name == name)
-                return std::make_shared<const Composed>(
-                    Composed{sample.view, visit::compose(*sample.view, painter_, store_)});
+            if (sample.name != name) continue;
+            auto view = std::make_shared<View>(*sample.view);
+            view->state.comfort.still = is_still;
+            Composition composition = visit::compose(*view, painter_, store_);
+            return std::make_shared<const Composed>(Composed{std::move(view), std::move(composition)});
         }
         return nullptr;
     }
@@ -342,6 +345,39 @@ TEST(TurnTable, ShowsFourStillViewsWithReducedMotion) {
 
 TEST(Composer, HasItsFonts) {
     EXPECT_EQ(missing_fonts(), "");
+}
+
+TEST_F(Theatre, DrawsTheWireUnderThePotInASecond) {
+    stage_.take(composed("firing-0"), 0.0);
+    const std::uint64_t behind = draw(0.05).hash();
+    EXPECT_NE(draw(0.5).hash(), behind);
+    const std::uint64_t through = draw(1.05).hash();
+    EXPECT_NE(through, behind);
+    EXPECT_EQ(draw(2.0).hash(), through);
+}
+
+TEST_F(Theatre, HeatsThePotInAFireThatFlickersAndCoolsItToItsGlaze) {
+    stage_.take(composed("firing-1"), 0.0);
+    static_cast<void>(draw(3.0));
+    stage_.take(composed("firing-2"), 3.0);
+    std::set<std::uint64_t> seen;
+    for (int frame = 0; frame < 20; ++frame)
+        seen.insert(draw(5.0 + frame / 30.0).hash());
+    EXPECT_EQ(seen.size(), 20U);
+    stage_.take(composed("glaze-1"), 6.0);
+    const std::uint64_t glowing = draw(6.5).hash();
+    const std::uint64_t cool = draw(8.0).hash();
+    EXPECT_NE(glowing, cool);
+    EXPECT_EQ(draw(9.0).hash(), cool);
+}
+
+TEST_F(Theatre, ShowsTheEndOfEveryMotionToWhoWantsLessOfIt) {
+    for (const char* name : {"firing-0", "firing-1", "firing-2", "glaze-1"}) {
+        Stage still;
+        still.take(composed(name, "en", true), 0.0);
+        const std::uint64_t first = still.draw({.now_s = 0.01}).hash();
+        EXPECT_EQ(still.draw({.now_s = 3.0}).hash(), first) << name;
+    }
 }
 
 }  // namespace
