@@ -11,6 +11,7 @@ find_package(PNG REQUIRED)
 find_package(TinyGLTF REQUIRED)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebpmux libwebp)
+pkg_check_modules(OPENH264 REQUIRED IMPORTED_TARGET openh264)
 find_package(meshoptimizer REQUIRED)
 # Debian's lib3MF.pc requires the -dev packages of its private dependencies.
 find_path(LIB3MF_INCLUDE Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)

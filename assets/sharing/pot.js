@@ -309,15 +309,58 @@ function playFilm(link) {
   link.append(film);
 }
 
+/** The film runs by itself once it is seen; where the phone cannot play it, the animated picture is in its place. */
+function startVideo(video, sparing) {
+  const replace = () => video.replaceWith(...video.querySelectorAll('a'));
+  if (!video.canPlayType('video/mp4; codecs="avc1.64000D"')) return replace();
+  video.querySelector('source').onerror = replace;
+  if (sparing || matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+  new IntersectionObserver((entries, observer) => {
+    if (!entries[entries.length - 1].isIntersecting) return;
+    observer.disconnect();
+    video.autoplay = true;
+    video.play().catch(() => {});  // some phones want to be asked
+  }).observe(video);
+}
+
+/** Picture and film for the phone's own sheet of places to send or keep them; null where it takes no files. */
+function sharedFiles(links) {
+  const names = links.filter((link) => /\.(png|jpg|mp4)$/.test(link.download));
+  const sample = new File([], 'film.mp4', { type: 'video/mp4' });
+  if (names.length === 0 || !navigator.canShare || !navigator.canShare({ files: [sample] })) return null;
+  return () => Promise.all(names.map(async (link) => {
+    const content = await (await fetch(link.href)).blob();
+    return new File([content], link.download, { type: content.type });
+  }));
+}
+
+function offerSharing(button, fetchFiles) {
+  let files = null;
+  const ready = () => { files = files || fetchFiles().catch(() => { files = null; return []; }); return files; };
+  button.hidden = false;
+  button.onpointerdown = ready;  // the sheet opens only shortly after the touch
+  button.onclick = async () => navigator.share({ files: await ready() }).catch(() => {});
+}
+
 addEventListener('load', () => {
   const film = document.getElementById('film');
   if (film) film.onclick = (event) => { event.preventDefault(); if (!film.classList.contains('playing')) playFilm(film); };
   const room = document.getElementById('ar');
   if (room && /Android/.test(navigator.userAgent)) room.hidden = false;
 
+  const button = document.getElementById('share');
+  const fetchFiles = button && sharedFiles([...document.querySelectorAll('.files a')]);
+  if (fetchFiles) offerSharing(button, fetchFiles);
+  const isApple = /iP(hone|ad|od)/.test(navigator.userAgent) || (/Macintosh/.test(navigator.userAgent) && navigator.maxTouchPoints > 1);
+  const hint = document.getElementById('iphone');
+  if (hint && isApple && !fetchFiles) hint.hidden = false;
+
   const stage = document.getElementById('stage');
   const link = navigator.connection || {};
-  if (!stage.dataset.outside || link.saveData || /2g/.test(link.effectiveType || '')) return;
+  const sparing = link.saveData || /2g/.test(link.effectiveType || '');
+  const video = document.getElementById('video');
+  if (video) startVideo(video, sparing);
+  if (!stage.dataset.outside || sparing) return;
   if (!stage.dataset.surface) return start(stage, null);
   const picture = new Image();
   picture.onload = () => start(stage, picture);

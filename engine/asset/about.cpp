@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "engine/asset/image.h"
+#include "engine/asset/mp4_film.h"
 #include "engine/asset/utf8.h"
 
 namespace onggi::asset {
@@ -67,11 +69,30 @@ std::string xmp_packet(const About& about) {
         list_of("relation", "Bag", {about.relation}), one_of("xmp:CreatorTool", about.tool));
 }
 
+namespace {
+
+// In <metadata> (SVG 1.1, 21).
+Result<std::vector<std::byte>> svg_with_about(std::string_view svg, const About& about) {
+    const std::size_t root = svg.find("<svg");
+    const std::size_t inside = svg.find('>', root);
+    if (root == std::string_view::npos || inside == std::string_view::npos)
+        return bad_input("SVG: expected a drawing, found another document");
+    std::string told(svg.substr(0, inside + 1));
+    told += fmt::format("\n<title>{}</title>\n<metadata>{}</metadata>", xml_text(first_of(about.title)),
+                        xmp_packet(about));
+    told += svg.substr(inside + 1);
+    const auto* const first = reinterpret_cast<const std::byte*>(told.data());
+    return std::vector<std::byte>(first, first + told.size());
+}
+
+}  // namespace
+
 Result<std::vector<std::byte>> picture_about(std::span<const std::byte> picture, const About& about) {
-    constexpr std::byte kStartOfPng{0x89};
+    const std::string_view bytes(reinterpret_cast<const char*>(picture.data()), picture.size());
+    if (bytes.substr(0, 8).ends_with("ftyp")) return mp4_with_about(picture, about);
+    if (bytes.starts_with("<?xml")) return svg_with_about(bytes, about);
     const std::string xmp = xmp_packet(about);
-    return !picture.empty() && picture.front() == kStartOfPng ? png_with_xmp(picture, xmp)
-                                                              : webp_with_xmp(picture, xmp);
+    return bytes.starts_with('\x89') ? png_with_xmp(picture, xmp) : webp_with_xmp(picture, xmp);
 }
 
 }  // namespace onggi::asset

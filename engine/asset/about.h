@@ -1,5 +1,5 @@
 // What a file says about itself, the same in every format: Dublin Core terms (ISO 15836) as an XMP packet
-// (ISO 16684-1) in PNG and WebP, as KHR_xmp_json_ld in glTF, as metadata in 3MF. Any thread; pure.
+// (ISO 16684-1) in PNG, WebP, MP4 and SVG, as KHR_xmp_json_ld in glTF, as metadata in 3MF. Any thread; pure.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ struct About {
 // A whole, read-only XMP packet.
 [[nodiscard]] std::string xmp_packet(const About& about);
 
-// A PNG or WebP file with what it says about itself. kBadInput: another format, or a damaged file.
+// A PNG, WebP, MP4 or SVG file with what it says about itself. kBadInput: another format, or a damaged file.
 [[nodiscard]] Result<std::vector<std::byte>> picture_about(std::span<const std::byte> picture,
                                                            const About& about);
 

@@ -2,11 +2,12 @@
 #include "engine/asset/webp_film.h"
 
 #include <fmt/format.h>
-#include <webp/encode.h>
 #include <webp/mux.h>
 
 #include <cstring>
 #include <utility>
+
+#include "engine/asset/webp_picture.h"
 
 namespace onggi::asset {
 namespace {
@@ -16,27 +17,6 @@ constexpr int kEffort = 4;
 constexpr int kEffortWithoutLoss = 1;
 constexpr double kBestQuality = 100.0;
 constexpr int kLongestMs = 60'000;
-
-class Picture {
-  public:
-    Picture() { ready_ = WebPPictureInit(&picture_) != 0; }
-    ~Picture() { WebPPictureFree(&picture_); }
-    Picture(const Picture&) = delete;
-    Picture& operator=(const Picture&) = delete;
-
-    bool take(const Image& image) {
-        if (!ready_) return false;
-        picture_.use_argb = 1;
-        picture_.width = image.width;
-        picture_.height = image.height;
-        return WebPPictureImportRGBX(&picture_, image.rgba.data(), kBytesPerPixel * image.width) != 0;
-    }
-    WebPPicture* get() { return &picture_; }
-
-  private:
-    WebPPicture picture_{};
-    bool ready_ = false;
-};
 
 using Mux = std::unique_ptr<WebPMux, decltype(&WebPMuxDelete)>;
 
@@ -122,8 +102,8 @@ Result<void> WebpFilm::add(const Image& image, int shown_ms) {
     }
     if (shown_ms < 1 || shown_ms > kLongestMs)
         return bad_input(fmt::format("WebP: expected 1 to {} ms, found {}", kLongestMs, shown_ms));
-    Picture picture;
-    if (!picture.take(image)) return failed("WebP: no memory for a picture");
+    WebpPicture picture;
+    if (!picture.take(image, WebpPicture::Colours::kArgb)) return failed("WebP: no memory for a picture");
     if (WebPAnimEncoderAdd(encoder.film, picture.get(), encoder.shown_ms, &encoder.config) == 0)
         return encoder.trouble("a picture could not be added");
     encoder.shown_ms += shown_ms;

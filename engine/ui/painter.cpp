@@ -1,5 +1,7 @@
 #include "engine/ui/painter.h"
 
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
 #include <cairo.h>
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
@@ -454,6 +456,7 @@ struct Painter::Impl {
         return pango_context.get();
     }
     void write(cairo_t* cairo, const Writing& writing, float px_per_u);
+    void draw_items(cairo_t* cairo, const Sketch& sketch, float px_per_u);
 
   private:
     FontMap font_map;
@@ -501,6 +504,29 @@ void Painter::Impl::write(cairo_t* cairo, const Writing& writing, float px_per_u
     cairo_restore(cairo);
 }
 
+void Painter::Impl::draw_items(cairo_t* cairo, const Sketch& sketch, float px_per_u) {
+    cairo_scale(cairo, double{px_per_u}, double{px_per_u});
+    for (const SketchItem& item : sketch.items) {
+        if (const auto* shadow = std::get_if<Shadow>(&item)) {
+            draw(cairo, *shadow, px_per_u);
+        } else if (const auto* writing = std::get_if<Writing>(&item)) {
+            write(cairo, *writing, px_per_u);
+        } else if (const auto* box = std::get_if<Box>(&item)) {
+            draw(cairo, *box);
+        } else if (const auto* frame = std::get_if<Frame>(&item)) {
+            draw(cairo, *frame);
+        } else if (const auto* ellipse = std::get_if<Ellipse>(&item)) {
+            draw(cairo, *ellipse);
+        } else if (const auto* shape = std::get_if<Shape>(&item)) {
+            draw(cairo, *shape);
+        } else if (const auto* picture = std::get_if<Picture>(&item)) {
+            draw(cairo, *picture);
+        }
+    }
+    if (sketch.fade) fade(cairo, *sketch.fade);
+    expect_memory(cairo_status(cairo));
+}
+
 Painting Painter::paint(const Sketch& sketch) {
     ++work_done;
     const auto pixels = [&](float u) {
@@ -508,27 +534,39 @@ Painting Painter::paint(const Sketch& sketch) {
     };
     const Surface surface = create_surface(pixels(sketch.size.x), pixels(sketch.size.y));
     const Cairo cairo(cairo_create(surface.get()));
-    cairo_scale(cairo.get(), double{sketch.px_per_u}, double{sketch.px_per_u});
-    for (const SketchItem& item : sketch.items) {
-        if (const auto* shadow = std::get_if<Shadow>(&item)) {
-            draw(cairo.get(), *shadow, sketch.px_per_u);
-        } else if (const auto* writing = std::get_if<Writing>(&item)) {
-            impl_->write(cairo.get(), *writing, sketch.px_per_u);
-        } else if (const auto* box = std::get_if<Box>(&item)) {
-            draw(cairo.get(), *box);
-        } else if (const auto* frame = std::get_if<Frame>(&item)) {
-            draw(cairo.get(), *frame);
-        } else if (const auto* ellipse = std::get_if<Ellipse>(&item)) {
-            draw(cairo.get(), *ellipse);
-        } else if (const auto* shape = std::get_if<Shape>(&item)) {
-            draw(cairo.get(), *shape);
-        } else if (const auto* picture = std::get_if<Picture>(&item)) {
-            draw(cairo.get(), *picture);
-        }
-    }
-    if (sketch.fade) fade(cairo.get(), *sketch.fade);
-    expect_memory(cairo_status(cairo.get()));
+    impl_->draw_items(cairo.get(), sketch, sketch.px_per_u);
     return read(surface.get());
+}
+
+std::vector<std::byte> Painter::draw_vectors(const Sketch& sketch, VectorKind kind,
+                                             const std::string& title) {
+    constexpr float kPointsPerMm = 72.0F / 25.4F;
+    ++work_done;
+    std::vector<std::byte> file;
+    const cairo_write_func_t append = [](void* to, const unsigned char* data, unsigned size) {
+        auto& bytes = *static_cast<std::vector<std::byte>*>(to);
+        const auto* const first = reinterpret_cast<const std::byte*>(data);
+        bytes.insert(bytes.end(), first, first + size);
+        return CAIRO_STATUS_SUCCESS;
+    };
+    const bool is_pdf = kind == VectorKind::kPdf;
+    const float scale = is_pdf ? kPointsPerMm : 1.0F;
+    const double width = double{sketch.size.x * scale};
+    const double height = double{sketch.size.y * scale};
+    const Surface surface(is_pdf ? cairo_pdf_surface_create_for_stream(append, &file, width, height)
+                                 : cairo_svg_surface_create_for_stream(append, &file, width, height));
+    if (is_pdf) {
+        cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
+        cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+    } else {
+        cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_MM);
+    }
+    const Cairo cairo(cairo_create(surface.get()));
+    impl_->draw_items(cairo.get(), sketch, scale);
+    cairo_show_page(cairo.get());
+    cairo_surface_finish(surface.get());
+    expect_memory(cairo_surface_status(surface.get()));
+    return file;
 }
 
 std::uint64_t Painter::work_of_this_thread() {

@@ -3,6 +3,7 @@
 // the frame, because a first label costs tens of ms and later ones up to thirty.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,6 +16,9 @@
 
 namespace onggi::ui {
 
+// A drawing of vectors: lines and letters keep their sizes on paper.
+enum class VectorKind { kSvg, kPdf };
+
 class Painter {
   public:
     Painter();
@@ -25,6 +29,12 @@ class Painter {
     // Results are cached.
     [[nodiscard]] TextSize measure(const Text& text);
     [[nodiscard]] Painting paint(const Sketch& sketch);
+
+    // The sketch as a file whose page has its size, u being millimetres; px_per_u has no effect. SVG holds
+    // letters as outlines, PDF as text. The same sketch gives the same bytes: no time is stored. Fades and
+    // shadows become pictures of 72 dpi.
+    [[nodiscard]] std::vector<std::byte> draw_vectors(const Sketch& sketch, VectorKind kind,
+                                                      const std::string& title);
 
     // Number of texts and pictures that the calling thread has laid out or painted so far, with any painter.
     // Frames must not do any.

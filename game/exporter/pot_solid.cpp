@@ -192,7 +192,7 @@ std::optional<Rows> rows_within_budget(const PotRings& rings, const SolidOptions
 
 Result<PotSolid> build_pot_solid(const PotRings& rings, const SolidOptions& options) {
     if (const Result<void> good = check_rings(rings); !good) return good.error();
-    const std::optional<Rows> rows = rows_within_budget(rings, options);
+    std::optional<Rows> rows = rows_within_budget(rings, options);
     if (!rows) return bad_input("pot: expected clay that is not split into thousands of hollows");
     SurfaceBuilder builder = built(*rows, options.unwraps);
     PotSolid pot;
@@ -217,6 +217,7 @@ Result<PotSolid> build_pot_solid(const PotRings& rings, const SolidOptions& opti
         pot.mesh.normals.push_back(options.unwraps ? direction_in_file(normal) : vec3(normal) + zero);
     }
     pot.mesh.indices = std::move(builder.indices);
+    pot.walks = std::move(rows->walks);
     return pot;
 }
 

@@ -53,6 +53,9 @@ struct PotSolid {
     double tolerance_mm = 0.0;  // largest error of thinning; 0: not thinned
     double across_scale = 1.0;  // the horizontal scale, before shrinkage
     std::size_t rows = 0;
+    // The rows of its corners, wet size, before across_scale; the last walk goes up the outside and down the
+    // inside.
+    std::vector<pot::Walk> walks;
     std::vector<PictureRow> picture_rows;  // top first; only if unwrapped. Lengths as in the mesh
     int rings = 0;  // rings used for the faces; fewer than the pot's if it is too rough
 };

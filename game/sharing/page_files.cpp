@@ -14,7 +14,7 @@ constexpr char letter_of(ShareEvent event) {
     return static_cast<char>(event);
 }
 
-constexpr std::array<PageFile, 18> kFiles{{
+constexpr std::array<PageFile, 22> kFiles{{
     {"index.html", kHtml, true, letter_of(ShareEvent::kPageOpened)},
     {"page.css", "text/css; charset=utf-8", true},
     {"pot.js", "text/javascript; charset=utf-8", true},
@@ -32,7 +32,11 @@ constexpr std::array<PageFile, 18> kFiles{{
     {"pot.glb", "model/gltf-binary", true, letter_of(ShareEvent::kModelTaken)},
     {"pot.stl", "model/stl", true, letter_of(ShareEvent::kPrintTaken)},
     {"pot.3mf", "model/3mf", false, letter_of(ShareEvent::kPrintTaken)},
+    {"pot.svg", "image/svg+xml", true},
+    {"pot.pdf", "application/pdf"},
+    {"pot.json", "application/json", true},
     {"film.webp", "image/webp", false, letter_of(ShareEvent::kFilmTaken)},
+    {"film.mp4", "video/mp4", false, letter_of(ShareEvent::kFilmTaken)},
 }};
 
 // "ko.html", "zh-Hant.html".

@@ -12,7 +12,7 @@ struct PageFile {
     std::string_view name;
     std::string_view media_type;
     bool has_twin = false;  // NAME.gz beside it has the same content compressed
-    char counted = '\0';    // the event counted when a phone requests it: open_counter.h
+    char counted = '\0';    // the event counted when a phone requests it whole: open_counter.h
 };
 
 // The files that a pot's folder may have and a phone may request; no other file is ever opened. Pages of

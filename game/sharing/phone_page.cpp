@@ -197,9 +197,10 @@ class Page {
         std::string links;
         if (!facts_.links.picture.empty())
             links += save_link(facts_.links.picture, word("phone.pic"), "", " first");
+        links += share_button();
         if (pot_.film.is_given()) {
-            links +=
-                save_link("film.webp", word("phone.film", fmt::format("{:.0f}", std::ceil(pot_.film_s))), "");
+            links += save_link(pot_.film_mp4.is_given() ? "film.mp4" : "film.webp",
+                               word("phone.film", fmt::format("{:.0f}", std::ceil(pot_.film_s))), "");
         }
         if (pot_.model_glb.is_given()) links += save_link("pot.glb", word("phone.glb"), "");
         if (pot_.print_stl.is_given()) links += save_link("pot.stl", word("phone.print"), "STL");
@@ -209,13 +210,36 @@ class Page {
         const std::string note = pot_.print_stl.is_given()
                                      ? fmt::format("<p class=\"note\">{}</p>\n", word("phone.print.line"))
                                      : "";
-        return "<div class=\"files\">\n" + links + "</div>\n" + note;
+        return "<div class=\"files\">\n" + links + "</div>\n" +
+               fmt::format("<p class=\"note\" id=\"iphone\" hidden>{}</p>\n", word("phone.iphone")) + note +
+               drawings();
+    }
+
+    // Behind a fold, because few want it.
+    [[nodiscard]] std::string drawings() const {
+        std::string links;
+        if (pot_.drawing_pdf.is_given()) links += save_link("pot.pdf", word("phone.drawing"), "PDF");
+        if (pot_.drawing_svg.is_given()) links += save_link("pot.svg", word("phone.drawing"), "SVG");
+        if (pot_.measures_json.is_given()) links += save_link("pot.json", word("phone.measures"), "JSON");
+        if (links.empty()) return {};
+        return fmt::format("<details>\n<summary>{}</summary>\n<div class=\"files\">\n{}</div>\n</details>\n",
+                           word("phone.more"), links);
+    }
+
+    [[nodiscard]] bool is_https() const { return facts_.page_url.starts_with("https://"); }
+
+    // Browsers share files of secure pages only; the script shows the button if the phone does so.
+    [[nodiscard]] std::string share_button() const {
+        if (!is_https() || facts_.links.picture.empty()) return {};
+        return fmt::format(
+            "<button class=\"token\" id=\"share\" type=\"button\" hidden><span>{}</span></button>\n",
+            word("phone.share"));
     }
 
     // A link to Android's Scene Viewer, which needs the model over https. The script shows it if the phone
     // has that viewer. iOS would need USDZ, which is not written.
     [[nodiscard]] std::string augmented() const {
-        if (!facts_.page_url.starts_with("https://") || !pot_.model_glb.is_given()) return {};
+        if (!is_https() || !pot_.model_glb.is_given()) return {};
         return fmt::format(
             "<a class=\"token\" id=\"ar\" hidden "
             "href=\"intent://arvr.google.com/scene-viewer/1.0?file={0}pot.glb"
@@ -246,10 +270,17 @@ class Page {
             facts_.links.film_still.empty()
                 ? ""
                 : fmt::format("<img src=\"{}\" alt=\"\" loading=\"lazy\">\n", html(facts_.links.film_still));
-        return fmt::format(
+        const std::string animation = fmt::format(
             "<a class=\"film\" id=\"film\" href=\"film.webp\" data-seconds=\"{:.1f}\">\n{}"
             "<span class=\"token play\"><span>{}</span></span></a>\n",
             pot_.film_s, still, word("phone.play"));
+        if (!pot_.film_mp4.is_given()) return animation;
+        // The script starts it once the page stands, unless the phone saves data or wants less motion.
+        return fmt::format(
+            "<video class=\"film\" id=\"video\" playsinline muted loop controls preload=\"none\" "
+            "poster=\"{}\" "
+            "aria-label=\"{}\">\n<source src=\"film.mp4\" type=\"video/mp4\">\n{}</video>\n",
+            html(facts_.links.film_still), word("phone.play"), animation);
     }
 
     [[nodiscard]] std::string nearest() const {

@@ -60,8 +60,8 @@ struct PageFacts {
 // The page's content security policy, for the header and for a server that sends none: allows only files
 // beside the page.
 constexpr std::string_view kPagePolicy =
-    "default-src 'none'; img-src 'self' data:; style-src 'self'; script-src 'self'; base-uri 'none'; "
-    "form-action 'self'";
+    "default-src 'none'; img-src 'self' data:; media-src 'self'; connect-src 'self'; style-src 'self'; "
+    "script-src 'self'; base-uri 'none'; form-action 'self'";
 
 // The two pages without a pot: for an unknown code, and to type a code. Each has all languages, the preferred
 // one first, and embeds its style.

@@ -45,7 +45,11 @@ struct SharedPot {
     FileContent print_stl{};   // for printing
     FileContent print_3mf{};   // for printing
     FileContent film{};        // animated WebP of the making
+    FileContent film_mp4{};    // the same as MP4
     FileContent film_still{};  // shown until the film starts
+    FileContent drawing_svg{};
+    FileContent drawing_pdf{};
+    FileContent measures_json{};
     double film_s = 0.0;
 
     // The fired pot's wall: up the outside from the foot, and down the inside from the rim; the inside may be

@@ -1,5 +1,6 @@
 // `onggi film`: a film or one line, never half a file.
 #include "tests/cli/cli_expectations.h"
+#include "tests/support/mp4_frames.h"
 #include "tests/support/webp_frames.h"
 
 namespace onggi::test {
@@ -19,6 +20,19 @@ TEST(FilmCommand, WritesAFilmOfThatLengthAndSize) {
     EXPECT_EQ(frames.images.front().width, 160);
     EXPECT_EQ(frames.images.front().height, 120);
     EXPECT_LE(file.size(), 1'500'000U);
+}
+
+TEST(FilmCommand, WritesTheSameFilmAsMp4) {
+    const TemporaryFolder folder;
+    expect_silent_success(run_onggi({"film", kSession, "--out", "f.webp", "--mp4", "f.mp4", "--size",
+                                     "161x121", "--seconds", "2", "--quick"},
+                                    {.folder = folder.path()}));
+    const std::string file = content_of(folder / "f.mp4");
+    const Mp4Frames frames = mp4_frames(std::as_bytes(std::span(file.data(), file.size())));
+    EXPECT_EQ(frames.images.size(), 25U);
+    EXPECT_EQ(frames.lasts_ms, 2000);
+    EXPECT_EQ(frames.images.front().width, 160);
+    EXPECT_EQ(frames.images.front().height, 120);
 }
 
 // A kiosk films while its visitor still chooses the glaze.
@@ -70,6 +84,10 @@ TEST(FilmCommand, RefusesWithOneLineAndWritesNoFile) {
         2, "standard input: expected one of celadon");
     expect_one_line(film({kSession, "--out", "f.webp", "--still", "s.png"}), 2,
                     "expected a still's ending (.webp)");
+    expect_one_line(film({kSession, "--out", "f.webp", "--mp4", "f.webp"}), 2,
+                    "expected a film's ending (.mp4)");
+    expect_one_line(film({kSession, "--out", "f.webp", "--mp4", "f.mp4", "--size", "8192x8192"}), 2,
+                    "MP4: expected a size for H.264");
     put_file(folder / "bad.onggi", content_of(kSession).replace(200, 1, "x"));
     expect_one_line(film({"bad.onggi", "--out", "f.webp"}), 2, "bad.onggi");
     EXPECT_EQ(run_onggi({"film", "--help"}).exit_code, 0);

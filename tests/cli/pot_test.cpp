@@ -61,6 +61,35 @@ TEST_F(PotOnTheCommandLine, TellsItsMeasuresWetAndFired) {
     EXPECT_NEAR(fired.at("capacity_ml").get<double>(), wet.at("capacity_ml").get<double>() * 0.681472, 1e-6);
 }
 
+TEST_F(PotOnTheCommandLine, DrawsItselfAndTellsItsMeasures) {
+    throw_bowl();
+    const std::vector<std::string> outputs{"--fired", "glaze",    "--drawing",  "p.svg",      "--drawing",
+                                           "p.pdf",   "--credit", "House, CC0", "--measures", "p.json"};
+    const auto drawn_by = [&](const std::string& command) {
+        std::vector<std::string> words{command, "bowl.onggi"};
+        words.insert(words.end(), outputs.begin(), outputs.end());
+        expect_silent_success(onggi(words));
+        return std::array{content_of(folder_ / "p.svg"), content_of(folder_ / "p.pdf"),
+                          content_of(folder_ / "p.json")};
+    };
+    const auto thrown = drawn_by("throw");
+    EXPECT_EQ(thrown, drawn_by("replay")) << "to the byte, and without a time";
+    EXPECT_TRUE(thrown[0].starts_with("<?xml"));
+    EXPECT_TRUE(thrown[1].starts_with("%PDF-"));
+    const auto pot = nlohmann::json::parse(thrown[2]);
+    EXPECT_EQ(pot.at("format"), "onggi-pot");
+    EXPECT_EQ(pot.at("version"), 1);
+    const auto stats = json_of("bowl.json");
+    for (const char* stage : {"wet", "fired"})
+        EXPECT_EQ(pot.at(stage), stats.at(stage)) << "one name, one meaning";
+    expect_one_line(onggi({"throw", "bowl.onggi", "--drawing", "p.png"}), 2,
+                    "p.png: expected a drawing's ending (.svg or .pdf)");
+    expect_one_line(onggi({"throw", "bowl.onggi", "--credit", "House"}), 2, "--drawing");
+    expect_one_line(onggi({"throw", kPressAndHold, "--clay", "paper", "--drawing", "q.svg"}), 2,
+                    "--drawing, --measures: expected the studio clay");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "q.svg"));
+}
+
 TEST_F(PotOnTheCommandLine, ExportsAtItsStage) {
     throw_bowl();
     expect_silent_success(

@@ -49,7 +49,7 @@ TEST(Usage, UnknownWordsAreRefusedAndNamed) {
 
 TEST(Usage, MissingArgumentsAreNamed) {
     expect_one_line(run_onggi({"throw"}), 2, "file is required");
-    expect_one_line(run_onggi({"replay", "x.onggi"}), 2, "--validate is required");
+    expect_one_line(run_onggi({"replay", "x.onggi"}), 2, "expected --validate, --drawing or --measures");
     expect_one_line(run_onggi({"throw", kPressAndHold, "--rate"}), 2, "--rate");
     expect_one_line(run_onggi({"throw", kPressAndHold, "--size", "640x480"}), 2, "--screenshot");
 }

@@ -8,10 +8,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "engine/asset/mp4_film.h"
 #include "engine/asset/webp_film.h"
 #include "game/exporter/export.h"
 #include "game/exporter/pot_solid.h"
 #include "game/exporter/studio_export.h"
+#include "game/look/pot_drawing.h"
 #include "game/look/pot_pictures.h"
 #include "game/wheel/clay_look.h"
 #include "tests/support/pot_samples.h"
@@ -69,7 +71,13 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
                     nlohmann::json& expected) {
     const clay::ClayBody body = pot.clay.lump().body;
     const auto worn = look::lathe_look(wheel::clay_material(body, pot.stage), "clay");
+    const auto drawing =
+        look::pot_drawing(pot.clay, pot.stage, ui::VectorKind::kSvg, "House of Clay. CC BY 4.0");
+    std::ofstream(folder / (pot.name + ".json")) << exporter::pot_json(pot.clay);
     if (!write_print(folder / pot.name, exporter::pot_file(pot.clay, pot.stage)) ||
+        !write(folder / (pot.name + ".svg"), drawing) ||
+        !write(folder / (pot.name + ".pdf"),
+               look::pot_drawing(pot.clay, pot.stage, ui::VectorKind::kPdf, "House of Clay. CC BY 4.0")) ||
         !write(folder / (pot.name + ".glb"), look::dressed_glb(pot.clay, pot.stage, worn)))
         return false;
     const double scale = 1e-3 * clay::shrunk_scale(body, pot.stage);
@@ -108,15 +116,21 @@ bool add_told_pot(const std::filesystem::path& folder, const support::StudioSamp
     asset::Image picture{.width = 64, .height = 64, .rgba = std::vector<std::uint8_t>(64 * 64 * 4, 200)};
     const auto png = asset::encode_png(picture);
     auto film = asset::WebpFilm::create({.width = 64, .height = 64});
-    bool is_filmed = film && film->add(picture, 80);
+    auto video = asset::Mp4Film::create({.width = 64, .height = 64});
+    bool is_filmed = film && video && film->add(picture, 80) && video->add(picture);
     picture.rgba[0] = 0;
-    is_filmed = is_filmed && film->add(picture, 80);
+    is_filmed = is_filmed && film->add(picture, 80) && video->add(picture);
     if (!png || !is_filmed) return false;
     const auto webp = film->finish();
+    const auto mp4 = video->finish();
     const auto built = exporter::viewed_solid(pot.clay, pot.stage);
-    if (!webp || !built || !write_print(place, exporter::pot_file(pot.clay, pot.stage, story)) ||
+    const auto drawing = look::pot_drawing(pot.clay, pot.stage, ui::VectorKind::kSvg);
+    if (!webp || !mp4 || !drawing || !built ||
+        !write_print(place, exporter::pot_file(pot.clay, pot.stage, story)) ||
         !write(folder / "told.png", asset::picture_about(*png, story.about)) ||
         !write(folder / "told.webp", asset::picture_about(*webp, story.about)) ||
+        !write(folder / "told.mp4", asset::picture_about(*mp4, story.about)) ||
+        !write(folder / "told.svg", asset::picture_about(*drawing, story.about)) ||
         !write(folder / "told.glb", look::dressed_glb(pot.clay, pot.stage, worn, story)))
         return false;
     expected.push_back(

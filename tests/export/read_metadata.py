@@ -1,5 +1,6 @@
-"""read_metadata.py FOLDER [EXIFTOOL]: what the files named `told` of make_pots say about themselves, by readers that share
-no code with their writers: exiftool for PNG and WebP, Python's zipfile and XML parser for 3MF, its JSON for GLB."""
+"""read_metadata.py FOLDER [EXIFTOOL [FFPROBE]]: what the files named `told` of make_pots say about themselves, by readers that
+share no code with their writers: exiftool for PNG, WebP, MP4 and SVG, ffprobe for MP4, Python's zipfile and XML parser for 3MF, its
+JSON for GLB. Missing programs are empty words."""
 
 import json
 import struct
@@ -40,6 +41,25 @@ def check_picture(exiftool, picture):
     expect({term.split("-")[0] for term in said} - known, set(), f"{picture}: nothing else")
 
 
+def check_film(ffprobe, film):
+    report = subprocess.run([ffprobe, "-v", "error", "-count_frames", "-show_streams", "-show_format", "-of", "json", str(film)],
+                            check=True, capture_output=True, text=True, encoding="utf8")
+    expect(report.stderr, "", f"{film}: no complaint")
+    found = json.loads(report.stdout)
+    (video,) = found["streams"]
+    for term, wanted in {"codec_name": "h264", "pix_fmt": "yuv420p", "color_range": "tv", "color_space": "smpte170m",
+                         "color_primaries": "bt709", "color_transfer": "iec61966-2-1", "width": 64, "height": 64,
+                         "avg_frame_rate": "25/2", "nb_read_frames": "2", "start_pts": 0, "has_b_frames": 0}.items():
+        expect(video[term], wanted, f"{film}: {term}")
+    expect(found["format"]["duration"], "0.160000", f"{film}: duration")
+    tags = found["format"]["tags"]
+    for term, wanted in {"title": "Moon jar, celadon", "description": "Thrown & fired.", "date": "2026-11-28",
+                         "copyright": "House of Clay. CC BY 4.0"}.items():
+        expect(tags.get(term), wanted, f"{film}: {term}")
+    expect(set(tags) - {"major_brand", "minor_version", "compatible_brands", "title", "description", "date", "copyright",
+                        "encoder"}, set(), f"{film}: nothing else")
+
+
 def check_3mf(file):
     with zipfile.ZipFile(file) as archive:
         for entry in archive.infolist():
@@ -71,9 +91,12 @@ def main():
     folder = Path(sys.argv[1])
     check_glb(folder / "told.glb")
     check_3mf(folder / "told.3mf")
-    if len(sys.argv) > 2:
-        for name in ("told.png", "told.webp"):
-            check_picture(sys.argv[2], folder / name)
+    exiftool, ffprobe = (sys.argv[2:] + ["", ""])[:2]
+    if exiftool:
+        for name in ("told.png", "told.webp", "told.mp4", "told.svg"):
+            check_picture(exiftool, folder / name)
+    if ffprobe:
+        check_film(ffprobe, folder / "told.mp4")
 
 
 main()

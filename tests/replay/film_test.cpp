@@ -11,6 +11,7 @@
 #include "game/app/replay/replay.h"
 #include "game/app/replay/session_marks.h"
 #include "game/haptic/pot_copy.h"
+#include "tests/support/mp4_frames.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/webp_frames.h"
@@ -37,6 +38,18 @@ std::unique_ptr<FilmMaker> maker_of(const FilmDesc& desc) {
     auto maker = FilmMaker::create(std::move(loaded.session), std::move(loaded.start), desc);
     if (!maker) throw std::runtime_error(maker.error().message);
     return std::move(maker).value();
+}
+
+// Draws the whole film.
+std::vector<asset::Image> drawn_by(FilmMaker& maker) {
+    std::vector<asset::Image> drawn;
+    for (bool goes_on = true; goes_on;) {
+        const auto worked = maker.work();
+        EXPECT_TRUE(worked) << worked.error().message;
+        goes_on = worked && *worked;
+        if (maker.pictures_drawn() > drawn.size()) drawn.push_back(maker.picture());
+    }
+    return drawn;
 }
 
 // A band of iron half way up the session's pot.
@@ -83,13 +96,7 @@ TEST(Film, ShowsTheScreenshotsOfItsTicksToTheByteAndPacksThemInTheirOrder) {
     const auto maker = maker_of(short_film());
     const auto plan = film_plan(two_hands().session.tick_count(), 1.0);
     ASSERT_EQ(maker->picture_count(), plan.size());
-    std::vector<asset::Image> drawn;
-    for (bool goes_on = true; goes_on;) {
-        const auto worked = maker->work();
-        ASSERT_TRUE(worked) << worked.error().message;
-        goes_on = *worked;
-        if (maker->pictures_drawn() > drawn.size()) drawn.push_back(maker->picture());
-    }
+    const std::vector<asset::Image> drawn = drawn_by(*maker);
     ASSERT_EQ(drawn.size(), plan.size());
     for (const std::size_t at : {std::size_t{0}, std::size_t{4}, std::size_t{9}}) {
         ASSERT_FALSE(plan[at].is_finished);
@@ -105,6 +112,35 @@ TEST(Film, ShowsTheScreenshotsOfItsTicksToTheByteAndPacksThemInTheirOrder) {
         EXPECT_LT(test::mean_difference(frames.images[i], drawn[i]), 3.0) << i;
         EXPECT_EQ(frames.ends_ms[i], kFilmPictureMs * static_cast<int>(i + 1));
     }
+}
+
+TEST(Film, AsMp4PassesOverIntoItsFirstPictureAndHasThePicturesOfTheWebp) {
+    FilmDesc desc = short_film();
+    desc.quick = desc.as_mp4 = true;
+    desc.seconds = 4.0;
+    const auto maker = maker_of(desc);
+    const std::vector<asset::Image> drawn = drawn_by(*maker);
+    const auto webp = maker->take();
+    const auto mp4 = maker->take_mp4();
+    ASSERT_TRUE(webp && mp4);
+    const test::Mp4Frames frames = test::mp4_frames(*mp4);
+    ASSERT_EQ(frames.images.size(), drawn.size());
+    EXPECT_EQ(frames.lasts_ms, test::webp_frames(*webp).ends_ms.back());
+    // A third of the finished pot's twelve pictures passes over.
+    for (std::size_t i = 0; i + 4 < drawn.size(); ++i)
+        EXPECT_LT(test::mean_difference(frames.images[i], drawn[i]), 3.0) << i;
+    EXPECT_GT(test::mean_difference(drawn.back(), drawn.front()),
+              3.0 * test::mean_difference(frames.images.back(), frames.images.front()));
+}
+
+// The kiosk's film is WebP all the same.
+TEST(Film, WithoutAnMp4SaysSoAndIsWhole) {
+    FilmDesc desc = short_film();
+    desc.quick = true;
+    const auto maker = maker_of(desc);
+    drawn_by(*maker);
+    EXPECT_FALSE(maker->take_mp4());
+    EXPECT_TRUE(maker->take());
 }
 
 // Draws the whole film. Returns the file.

@@ -13,6 +13,7 @@
 
 #include "tests/cli/cli_expectations.h"
 #include "tests/support/comes_true.h"
+#include "tests/support/mp4_frames.h"
 #include "tests/support/places.h"
 #include "tests/support/sharing_kiosk.h"
 #include "tests/support/webp_frames.h"
@@ -65,6 +66,11 @@ TEST_F(KioskFilmTest, IsWholeOnceItsGlazeIsKnown) {
     const std::string film = test::content_of(files->film.string());
     const test::WebpFrames frames = test::webp_frames(std::as_bytes(std::span(film.data(), film.size())));
     EXPECT_EQ(frames.ends_ms.back(), static_cast<int>(KioskFilm::kSeconds * 1000.0));
+    const std::string mp4 = test::content_of(files->mp4.string());
+    const test::Mp4Frames played = test::mp4_frames(std::as_bytes(std::span(mp4.data(), mp4.size())));
+    EXPECT_EQ(played.images.size(), frames.images.size());
+    EXPECT_EQ(played.lasts_ms, frames.ends_ms.back());
+    EXPECT_LE(mp4.size(), 400'000U);
     EXPECT_GT(fs::file_size(files->still), 0U);
     EXPECT_FALSE(fs::exists(folder_.path() / "making.onggi")) << "nothing of a visit stays behind";
     film_.drop();
@@ -128,9 +134,10 @@ TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
     let_makers_compete();
     EXPECT_TRUE(test::comes_true([&] { return !fs::exists(making); }, kPatience))
         << "nothing of a visit stays behind";
-    for (const char* picture : {"film.webp", "still.webp", "poster.webp"})
+    for (const char* picture : {"film.webp", "film.mp4", "still.webp", "poster.webp"})
         EXPECT_NE(test::content_of(place / picture).find("House of Clay"), std::string::npos) << picture;
-    EXPECT_NE(test::content_of(place / "index.html").find("href=\"film.webp\""), std::string::npos);
+    for (const char* link : {"href=\"film.webp\"", "src=\"film.mp4\""})
+        EXPECT_NE(test::content_of(place / "index.html").find(link), std::string::npos) << link;
 }
 
 }  // namespace

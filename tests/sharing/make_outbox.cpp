@@ -1,8 +1,7 @@
-// make_outbox SESSION|SAMPLE FOLDER [--glaze NAME] [--decorated] [--poster FILE] [--film FILE] [--surface
-// FILE]
-// [--url URL]: puts the pot that a session left, or one of tests/support/studio_samples.h by its name, into
-// the outbox FOLDER/box, as the kiosk does, with Korean, English and Arabic pages, for checks that other
-// programs make; and copies the published files to FOLDER/pot.glb and so on. Prints the code.
+// make_outbox SESSION|SAMPLE FOLDER [OPTION FILE ...]: puts the pot that a session left, or one of
+// tests/support/studio_samples.h by its name, into the outbox FOLDER/box, as the kiosk does, with Korean,
+// English and Arabic pages, for checks that other programs make; and copies the published files to
+// FOLDER/pot.glb and so on. Prints the code.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -36,6 +35,8 @@ struct Words {
     bool decorated = false;  // cranes all round it, between two bands of black slip
     std::string poster;
     std::string film;
+    std::string mp4;
+    std::string drawing;
     std::string surface;
     std::string url;
 };
@@ -94,6 +95,8 @@ Result<sharing::ShareCode> put(const Words& words) {
         pot.poster.path = words.poster;
     }
     pot.film.path = words.film;
+    pot.film_mp4.path = words.mp4;
+    pot.drawing_svg.path = words.drawing;
     pot.film_still.path = words.film.empty() ? "" : words.poster;
     pot.film_s = 8.0;
     pot.surface.path = words.surface;
@@ -124,6 +127,8 @@ int main(int argc, char** argv) {
     program.add_flag("--decorated", words.decorated);
     program.add_option("--poster", words.poster);
     program.add_option("--film", words.film);
+    program.add_option("--mp4", words.mp4);
+    program.add_option("--drawing", words.drawing);
     program.add_option("--surface", words.surface);
     program.add_option("--url", words.url);
     CLI11_PARSE(program, argc, argv);

@@ -121,10 +121,13 @@ TEST(ShareServer, CountsPagesThroughAPipe) {
     EXPECT_EQ(get(served.port(), "/" + code + "/", "", "HEAD").status, 200);
     EXPECT_EQ(get(served.port(), "/" + code + "/page.css").status, 200);
     EXPECT_EQ(get(served.port(), "/" + code + "/pot.glb").status, 200);
+    EXPECT_EQ(get(served.port(), "/" + code + "/film.mp4").status, 200);
+    EXPECT_EQ(get(served.port(), "/" + code + "/film.mp4", "Range: bytes=0-\r\n").status, 206) << "played";
     EXPECT_EQ(get(served.port(), "/7777ZZZZ/").status, 404);
     const auto counts = reader->take();
     EXPECT_EQ(counts, (std::map<sharing::ShareEvent, int>{{sharing::ShareEvent::kPageOpened, 3},
-                                                          {sharing::ShareEvent::kModelTaken, 1}}));
+                                                          {sharing::ShareEvent::kModelTaken, 1},
+                                                          {sharing::ShareEvent::kFilmTaken, 1}}));
 }
 
 TEST(ShareServer, ServesOnlyTheOutbox) {

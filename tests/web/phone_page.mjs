@@ -3,7 +3,7 @@
 import { mkdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { expect, launch, PATIENCE, SLOWNESS, watch } from './browser.mjs';
 import { difference, makePictures, silhouette } from './phone_pictures.mjs';
-import { makeOutbox, serveByOnggi, serveByPython } from './phone_programs.mjs';
+import { makeFilm, makeOutbox, serveByOnggi, serveByPython } from './phone_programs.mjs';
 import { tooFaint, tooSmall, unnamed } from './phone_rules.mjs';
 
 const LANGUAGES = { en: 'ltr', ko: 'ltr', ar: 'rtl' };
@@ -213,6 +213,83 @@ CHECKS['a pot that is not round'] = async ({ browser }) => {
     expect(mostApart(dented, round) > 1, 'expected a dented pot to be another than a round one');
     return 'page and poster within a pixel, dented and round';
 };
+
+/** A page with a film of two seconds, in a folder of its own. */
+async function filmed(use) {
+    const apart = `${folder}/filmed`;
+    await mkdir(apart, { recursive: true });
+    const options = await makeFilm(onggi, session, apart);
+    const code = await makeOutbox(makeProgram, session, apart, [...options, '--url', 'https://museum.example/pots']);
+    const own = await serveByOnggi(onggi, `${apart}/box`);
+    try {
+        return await use(own, `/${code}/`, apart);
+    } finally {
+        await own.stop();
+    }
+}
+
+CHECKS['a film as MP4'] = ({ browser }) => filmed(async (own, path, apart) => {
+    const { context, page, complaints } = await opened(browser, own.origin, path, PHONE);
+    const at = () => page.$eval('#video', (video) => [video.paused, video.currentTime, video.duration, video.videoWidth]);
+    expect((await at())[0], 'expected a film at rest below the screen');
+    await page.locator('#video').scrollIntoViewIfNeeded();
+    await comesTrue(async () => (await at())[1] > 1.5, 'expected the film to run by itself');
+    await page.locator('#video').screenshot({ path: `${folder}/film-late.png` });
+    await comesTrue(async () => (await at())[1] < 1.0, 'expected the film to begin again');
+    const [paused, , duration, width] = await at();
+    expect(!paused && duration === 2 && width === 480, `found ${await at()}`);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.locator('.files a[href="film.mp4"]').click()]);
+    const saved = await readFile(await download.path());
+    expect(saved.equals(await readFile(`${apart}/film.mp4`)), 'expected the film to the byte');
+    await page.locator('summary').click();
+    expect(await page.locator('a[href="pot.svg"]').isVisible(), 'expected the drawing behind the fold');
+    await page.screenshot({ path: `${folder}/film.png`, fullPage: true });
+    expect(complaints.length === 0, complaints.join('; '));
+    await context.close();
+    const calm = await opened(browser, own.origin, path, { ...PHONE, reducedMotion: 'reduce' });
+    await calm.page.locator('#video').scrollIntoViewIfNeeded();
+    await calm.page.waitForTimeout(400 * SLOWNESS);
+    expect(await calm.page.$eval('#video', (video) => video.paused), 'expected a film at rest where less motion is wanted');
+    await calm.context.close();
+    return 'runs in view, begins again, saved to the byte; at rest for less motion';
+});
+
+CHECKS['a phone without H.264'] = ({ browser }) => filmed(async (own, path) => {
+    const context = await contextOf(browser, PHONE);
+    await context.addInitScript(() => { HTMLMediaElement.prototype.canPlayType = () => ''; });
+    const page = await context.newPage();
+    await page.goto(own.origin + path);
+    await page.waitForSelector('.drawn', DRAWN);
+    expect(await page.locator('video').count() === 0, 'expected the animated picture in place of the video');
+    await page.click('#film');
+    await page.waitForSelector('#film.playing img[src$="film.webp"]');
+    await context.close();
+    return 'the animated picture';
+});
+
+CHECKS['sharing, and an iPhone'] = ({ browser }) => filmed(async (own, path) => {
+    const context = await contextOf(browser, PHONE);
+    await context.addInitScript(() => {
+        navigator.canShare = ({ files }) => files.length > 0;
+        navigator.share = async ({ files }) => { window.shared = files.map((file) => [file.name, file.type, file.size]); };
+    });
+    const page = await context.newPage();
+    const complaints = watch(page, own.origin);
+    await page.goto(own.origin + path);
+    await page.click('#share');
+    await page.waitForFunction(() => window.shared);
+    const shared = await page.evaluate(() => window.shared);
+    expect(shared.map(([name]) => name.split('.')[1]).join() === 'png,mp4' && shared[1][1] === 'video/mp4' && shared[1][2] > 1000,
+        `found ${JSON.stringify(shared)}`);
+    expect(complaints.length === 0, complaints.join('; '));
+    await context.close();
+    const agent = 'Mozilla/5.0 (iPhone; CPU iPhone OS 17_0 like Mac OS X) AppleWebKit/605.1.15 Version/17.0 Mobile/15E148 Safari/604.1';
+    const apple = await opened(browser, own.origin, path, { ...PHONE, userAgent: agent });
+    expect(await apple.page.locator('#iphone').isVisible(), 'expected to be told where files go');
+    expect(!await apple.page.locator('#share').isVisible(), 'expected no button where files are not shared');
+    await apple.context.close();
+    return 'picture and film; a hint elsewhere';
+});
 
 CHECKS['a code that is none'] = async ({ browser, own, code }) => {
     const context = await contextOf(browser, { ...PHONE, locale: 'ko-KR' });

@@ -8,6 +8,14 @@ export async function makeOutbox(program, session, folder, options = []) {
     return stdout.trim();
 }
 
+/** Films a session as FOLDER/film.webp and film.mp4, with its drawing as pot.svg; gives the options for makeOutbox. */
+export async function makeFilm(onggi, session, folder) {
+    const files = { film: `${folder}/film.webp`, mp4: `${folder}/film.mp4`, drawing: `${folder}/pot.svg` };
+    await promisify(execFile)(onggi, ['film', session, '--out', files.film, '--mp4', files.mp4, '--drawing', files.drawing,
+        '--glaze', 'celadon', '--quick', '--seconds', '2']);
+    return Object.entries(files).flatMap(([name, file]) => [`--${name}`, file]);
+}
+
 /** Starts a server that says its port in a line; gives where it is and how to end it. */
 async function serve(command, words, port) {
     const server = spawn(command, words, { stdio: ['ignore', 'pipe', 'pipe'] });

@@ -16,6 +16,7 @@
 #include "game/app/command_line/commands.h"
 #include "game/app/command_line/options.h"
 #include "game/app/command_line/progress.h"
+#include "game/app/command_line/throw_outputs.h"
 #include "game/app/replay/film.h"
 #include "game/app/replay/stored_session.h"
 #include "game/app/system/report.h"
@@ -35,7 +36,9 @@ struct FilmOptions {
     clay::Firing finished = clay::Firing::kWet;
     bool quick = false;
     std::string still;
+    std::string mp4;
     std::string glaze;
+    DrawingOptions drawing;
 };
 
 // Returns one of the six glazes by its name.
@@ -67,17 +70,34 @@ Result<const finish::GlazeMaterial*> finish_as_stdin_says(FilmMaker& maker) {
     return glaze;
 }
 
-Result<void> check_place(const std::string& place, const std::string& what) {
-    if (!place.ends_with(".webp"))
-        return bad_input(fmt::format("{}: expected a {}'s ending (.webp)", shown_path(place), what));
-    return files::check_output_place(place);
+Result<void> check_places(const FilmOptions& options) {
+    struct Asked {
+        const std::string& place;
+        const char* what;
+        const char* ending;
+    };
+    for (const auto& [place, what, ending] : {Asked{options.out, "film", ".webp"},
+                                              {options.still, "still", ".webp"},
+                                              {options.mp4, "film", ".mp4"}}) {
+        if (place.empty() && &place != &options.out) continue;
+        if (!place.ends_with(ending))
+            return bad_input(fmt::format("{}: expected a {}'s ending ({})", shown_path(place), what, ending));
+        if (auto checked = files::check_output_place(place); !checked) return checked;
+    }
+    return {};
+}
+
+// The WebP film is whole: the lack of the MP4 is only reported.
+Result<void> write_mp4(FilmMaker& maker, const std::string& place) {
+    const auto film = maker.take_mp4();
+    if (film) return files::write_file_atomically(place, *film);
+    warn(film.error().message + "; the film is WebP only");
+    return {};
 }
 
 Result<void> make_film(const FilmOptions& options) {
-    if (auto place = check_place(options.out, "film"); !place) return place;
-    if (!options.still.empty()) {
-        if (auto place = check_place(options.still, "still"); !place) return place;
-    }
+    if (auto places = check_places(options); !places) return places;
+    if (auto drawings = check_drawings(options.drawing); !drawings) return drawings;
     const bool asks_later = options.glaze == kOfStdin;
     const finish::GlazeMaterial* glaze = nullptr;
     if (!options.glaze.empty() && !asks_later) {
@@ -96,7 +116,8 @@ Result<void> make_film(const FilmOptions& options) {
     FilmDesc desc{.width = options.size.width,
                   .height = options.size.height,
                   .finished = options.finished,
-                  .quick = options.quick};
+                  .quick = options.quick,
+                  .as_mp4 = !options.mp4.empty()};
     desc.seconds = options.seconds.value_or(desc.seconds);
     auto maker = FilmMaker::create(std::move(loaded->session), std::move(loaded->start), desc);
     if (!maker) return maker.error();
@@ -121,7 +142,12 @@ Result<void> make_film(const FilmOptions& options) {
         if (!still) return still.error();
         if (auto written = files::write_file_atomically(options.still, *still); !written) return written;
     }
-    return files::write_file_atomically(options.out, *film);
+    if (auto written = files::write_file_atomically(options.out, *film); !written) return written;
+    if (!options.mp4.empty())
+        if (auto written = write_mp4(**maker, options.mp4); !written) return written;
+    const clay::Firing stage = glaze != nullptr ? clay::Firing::kGlaze : options.finished;
+    const auto drawn = drawn_files((*maker)->state(), stage, options.drawing);
+    return drawn ? write_all(*drawn) : drawn.error();
 }
 
 }  // namespace
@@ -147,6 +173,9 @@ void add_film_command(CLI::App& program, int& exit_status) {
         ->type_name("NAME");
     command->add_option("--still", options->still, "a picture from late in the making, beside the film")
         ->type_name("F.webp");
+    command->add_option("--mp4", options->mp4, "the same film as MP4, which loops, for phones and messengers")
+        ->type_name("F.mp4");
+    add_drawing_options(*command, options->drawing);
     command->add_flag("--quick", options->quick,
                       "draw like the live window: a quarter of the time, slightly coarser");
     command->callback([options, &exit_status] { exit_status = exit_code(make_film(*options)); });

@@ -150,6 +150,21 @@ void add_firing_option(CLI::App& command, clay::Firing& stage, const std::string
                stage, what + ": wet, dry, bisque or glaze (wet)");
 }
 
+void add_drawing_options(CLI::App& command, DrawingOptions& options) {
+    CLI::Option* drawing =
+        command
+            .add_option(
+                "--drawing", options.drawings,
+                "the archaeologist's drawing at 1:1, half a section and half an elevation; may be repeated")
+            ->type_name("F.svg|F.pdf")
+            ->allow_extra_args(false);
+    command.add_option("--credit", options.credit, "a line below the drawing's measures")
+        ->type_name("TEXT")
+        ->needs(drawing);
+    command.add_option("--measures", options.measures, "the pot's measures, wet and glazed")
+        ->type_name("F.json");
+}
+
 CLI::Option* add_size_option(CLI::App& command, PictureSize& size) {
     const std::string usual = fmt::format("the picture's size in pixels ({}x{})", size.width, size.height);
     const auto read = [&size](const CLI::results_t& words) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/render/quality.h"
 #include "game/clay/studio/pot.h"
@@ -44,6 +45,13 @@ struct PictureSize {
     int height = 720;
 };
 
+// Drawings of the pot and its measures, as files.
+struct DrawingOptions {
+    std::vector<std::string> drawings{};    // .svg, .pdf
+    std::optional<std::string> measures{};  // .json
+    std::string credit{};
+};
+
 // The input file, the command's positional argument.
 void add_input_file(CLI::App& command, InputOptions& options);
 void add_rate_option(CLI::App& command, InputOptions& options);  // --rate HZ
@@ -52,7 +60,8 @@ void add_clay_options(CLI::App& command, InputOptions& options);
 void add_start_pot_options(CLI::App& command, StartPot& options);  // --on, --join, --mouth
 // --fired STAGE; `what` is its help text
 void add_firing_option(CLI::App& command, clay::Firing& stage, const std::string& what);
-CLI::Option* add_size_option(CLI::App& command, PictureSize& size);  // --size WxH
+void add_drawing_options(CLI::App& command, DrawingOptions& options);  // --drawing, --credit, --measures
+CLI::Option* add_size_option(CLI::App& command, PictureSize& size);    // --size WxH
 // --volume, 0 to 1; 0: no sound device is opened at all.
 void add_volume_option(CLI::App& command, std::optional<double>& volume);
 // --backend: the renderer.

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <variant>
 
 #include "game/app/system/or_null.h"
 #include "game/clay/studio/pot.h"
@@ -44,15 +43,6 @@ std::string_view name_of(clay::studio::Cause cause) {
     return "none";
 }
 
-// Returns the pot's measures at a stage, as in an export's extras: lengths, capacity, mass, walls, ledger.
-nlohmann::ordered_json pot_json(const clay::StudioClay& clay, clay::Firing stage) {
-    nlohmann::ordered_json pot;
-    // clang 14 cannot capture structured bindings in a lambda.
-    for (const auto& extra : exporter::pot_extras(clay, stage))
-        std::visit([&](const auto& one) { pot[extra.first] = one; }, extra.second);
-    return pot;
-}
-
 // Adds the studio clay's statistics; the failure is a sentence, or null while the pot stands.
 void add_studio_stats(nlohmann::ordered_json& stats, const clay::StudioClay& clay) {
     const auto pot = clay::measure_pot(clay.rings(), clay.lump().body);
@@ -70,8 +60,8 @@ void add_studio_stats(nlohmann::ordered_json& stats, const clay::StudioClay& cla
     stats["load_index"] = clay.load_index();
     stats["load_height_mm"] = clay.load_height_mm();
     stats["load_cause"] = name_of(clay.load_cause());
-    stats["wet"] = pot_json(clay, clay::Firing::kWet);
-    stats["fired"] = pot_json(clay, clay::Firing::kGlaze);
+    stats["wet"] = exporter::measures_json(clay, clay::Firing::kWet);
+    stats["fired"] = exporter::measures_json(clay, clay::Firing::kGlaze);
     stats["failure"] = nullptr;
     if (clay.failure().cause != clay::studio::Cause::kNone) stats["failure"] = clay::sentence(clay.failure());
 }

@@ -95,9 +95,10 @@ void add_throw_command(CLI::App& program, int& exit_status) {
                        "what draws the picture: the GPU, or software in its place (gpu, auto); or the "
                        "processor, as in the live window without a GPU: faster, and coarser")
         ->needs(screenshot);
-    add_firing_option(*command, outputs.stage, "the stage that --export and --screenshot show");
+    add_firing_option(*command, outputs.stage, "the stage that --export, --drawing and --screenshot show");
     add_target_option(*command, options->target);
     add_output("--save", outputs.session, "F.onggi", "the session, for replay");
+    add_drawing_options(*command, outputs.drawing);
     add_output("--stats", outputs.stats, "F.json", "what the ticks cost");
     command->callback([options, &exit_status] {
         const auto said = throw_pot(*options);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iterator>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,7 @@
 #include "game/exporter/studio_export.h"
 #include "game/haptic/tick.h"
 #include "game/heritage/advice.h"
+#include "game/look/pot_drawing.h"
 #include "game/look/pot_pictures.h"
 #include "game/wheel/clay_look.h"
 #include "game/wheel/still.h"
@@ -190,6 +192,15 @@ Result<void> check_endings(const ThrowOutputs& outputs) {
     return {};
 }
 
+// Written and synced, not yet in its place.
+Result<files::AtomicFile> prepared_file(const std::string& place, std::span<const std::byte> bytes) {
+    auto file = files::AtomicFile::create(place);
+    if (!file) return file.error();
+    if (auto written = file->write(bytes); !written) return written.error();
+    if (auto ready = file->prepare(); !ready) return ready.error();
+    return file;
+}
+
 Result<std::vector<std::byte>> model_for(const std::string& place, const haptic::HapticState& state,
                                          clay::Firing stage, const asset::Image* picture) {
     const auto kind = exporter::export_kind_of(place);
@@ -227,11 +238,55 @@ Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, exp
                                 kind, picture);
 }
 
+Result<void> check_drawings(const DrawingOptions& options) {
+    for (const std::string& place : options.drawings) {
+        if (auto kind = look::drawing_kind_of(place); !kind) return kind.error();
+        if (auto checked = files::check_output_place(place); !checked) return checked;
+    }
+    return options.measures ? files::check_output_place(*options.measures) : Result<void>();
+}
+
+Result<std::vector<NamedFile>> drawn_files(const haptic::HapticState& state, clay::Firing stage,
+                                           const DrawingOptions& options) {
+    std::vector<NamedFile> drawn;
+    if (options.drawings.empty() && !options.measures) return drawn;
+    const clay::StudioClay* studio = state.studio();
+    if (studio == nullptr)
+        return bad_input("--drawing, --measures: expected the studio clay, found the paper's");
+    for (const std::string& place : options.drawings) {
+        auto bytes = look::pot_drawing(*studio, stage, look::drawing_kind_of(place).value(), options.credit);
+        if (!bytes) return bytes.error();
+        drawn.push_back({place, std::move(*bytes)});
+    }
+    if (options.measures) {
+        const std::string text = exporter::pot_json(*studio);
+        const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
+        drawn.push_back({*options.measures, {bytes.begin(), bytes.end()}});
+    }
+    return drawn;
+}
+
+Result<void> write_all(const std::vector<NamedFile>& named) {
+    std::vector<files::AtomicFile> prepared;
+    for (const auto& [place, bytes] : named) {
+        auto file = prepared_file(place, bytes);
+        if (!file) return file.error();
+        prepared.push_back(std::move(file).value());
+    }
+    for (files::AtomicFile& file : prepared)
+        if (auto done = file.commit(); !done) return done;
+    return {};
+}
+
 Result<void> check_outputs(const ThrowOutputs& outputs) {
     if (auto endings = check_endings(outputs); !endings) return endings;
+    if (auto drawings = check_drawings(outputs.drawing); !drawings) return drawings;
     std::set<std::filesystem::path> places;
-    for (const auto& place : {outputs.profile, outputs.forces, outputs.model, outputs.screenshot,
-                              outputs.session, outputs.stats}) {
+    std::vector<std::optional<std::string>> all{outputs.profile,         outputs.forces,  outputs.model,
+                                                outputs.screenshot,      outputs.session, outputs.stats,
+                                                outputs.drawing.measures};
+    all.insert(all.end(), outputs.drawing.drawings.begin(), outputs.drawing.drawings.end());
+    for (const auto& place : all) {
         if (!place) continue;
         if (auto checked = files::check_output_place(*place); !checked) return checked;
         // Makes the path absolute first, because weakly_canonical() leaves a missing relative path relative.
@@ -278,10 +333,8 @@ Result<void> OutputWriter::add_tick(const haptic::HapticState& state, const hapt
 
 Result<void> OutputWriter::prepare(const std::string& place, Result<std::vector<std::byte>> bytes) {
     if (!bytes) return bytes.error();
-    auto file = files::AtomicFile::create(place);
+    auto file = prepared_file(place, *bytes);
     if (!file) return file.error();
-    if (auto written = file->write(std::span<const std::byte>(*bytes)); !written) return written;
-    if (auto ready = file->prepare(); !ready) return ready;
     prepared_.push_back(std::move(file).value());
     return {};
 }
@@ -316,6 +369,10 @@ Result<std::string> OutputWriter::finish(const haptic::HapticState& state, const
         if (target) stats["target"] = target->json;
         done = prepare_text(*outputs_.stats, stats.dump(2) + "\n");
     }
+    auto drawn = drawn_files(state, outputs_.stage, outputs_.drawing);
+    if (!drawn) return drawn.error();
+    for (NamedFile& file : *drawn)
+        if (done) done = prepare(file.place, std::move(file.bytes));
     if (done && forces_) done = forces_->prepare();
     if (done && session_) done = session_->prepare(state.hash());
 

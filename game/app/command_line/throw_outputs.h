@@ -39,11 +39,12 @@ struct ThrowOutputs {
     std::optional<std::string> screenshot;  // .png
     std::optional<std::string> session;     // .onggi
     std::optional<std::string> stats;       // .json
+    DrawingOptions drawing{};
     PictureSize size;
     wheel::StillView view = wheel::StillView::kThrowing;  // shown by the screenshot
     bool beauty = false;                                  // averages many pictures for the screenshot
     std::optional<render::BackendChoice> backend = {};  // draws the screenshot; cpu: as the live window does
-    clay::Firing stage = clay::Firing::kWet;            // shown by model and screenshot
+    clay::Firing stage = clay::Firing::kWet;            // shown by model, drawing and screenshot
     std::optional<TargetChoice> target;                 // the target to score the pot against
 };
 
@@ -56,6 +57,21 @@ struct ThrowOutputs {
                                                          exporter::ExportKind kind,
                                                          clay::Firing stage = clay::Firing::kWet,
                                                          const asset::Image* picture = nullptr);
+
+// Endings and writable places. Bad input as check_outputs().
+[[nodiscard]] Result<void> check_drawings(const DrawingOptions& options);
+
+// The drawings and the measures of the pot on the wheel, each with its place, in that order. Bad input: the
+// paper's clay, an empty wheel.
+struct NamedFile {
+    std::string place;
+    std::vector<std::byte> bytes;
+};
+[[nodiscard]] Result<std::vector<NamedFile>> drawn_files(const haptic::HapticState& state, clay::Firing stage,
+                                                         const DrawingOptions& options);
+
+// All of them, or none.
+[[nodiscard]] Result<void> write_all(const std::vector<NamedFile>& files);
 
 // Collects the ticks, and writes the files at the end.
 class OutputWriter {

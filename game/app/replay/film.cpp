@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/asset/mp4_film.h"
 #include "engine/asset/webp_film.h"
 #include "game/app/replay/replay.h"
 #include "game/app/replay/session_marks.h"
@@ -21,6 +22,9 @@ namespace {
 // Packs each picture in all of these qualities when it is drawn, 12 ms each: drawing all pictures again in
 // another quality would cost more.
 constexpr std::array kQualities{90.0, 75.0, 50.0, 25.0};
+// Likewise; the first keeps an SSIM of 0.99 against what was drawn.
+constexpr std::array kMp4Quantisers{22, 25};
+constexpr double kMp4BytesPerS = 50'000.0;
 constexpr std::uint64_t kTicksASlice = 2000;
 constexpr double kStillAt =
     0.8;  // fraction of the making's pictures: there, the hands work on a pot with a recognisable shape
@@ -70,7 +74,9 @@ struct FilmMaker::Parts {
     std::vector<FilmPicture> plan;
     std::size_t drawn = 0;
     std::unique_ptr<wheel::StillCamera> camera;
-    std::vector<asset::WebpFilm> films;  // of kQualities
+    std::vector<asset::WebpFilm> films;                // of kQualities
+    Result<std::vector<asset::Mp4Film>> mp4{Error{}};  // of kMp4Quantisers
+    asset::Image first_picture;
     asset::Image picture;
     asset::Image still;
     const finish::GlazeMaterial* glaze = nullptr;  // null: the body's own
@@ -85,6 +91,27 @@ struct FilmMaker::Parts {
     // The index of the still's picture, which shows the finished pot in a film without a making.
     [[nodiscard]] std::size_t place_of_still() const {
         return static_cast<std::size_t>(kStillAt * static_cast<double>(pictures_of_the_making()));
+    }
+
+    // The picture as it stands in a film that is repeated.
+    [[nodiscard]] asset::Image repeated() const {
+        const std::size_t passing = (plan.size() - pictures_of_the_making()) / 3;
+        const std::size_t left = plan.size() - drawn;
+        if (left > passing) return picture;
+        asset::Image mixed = picture;
+        for (std::size_t i = 0; i < mixed.rgba.size(); ++i) {
+            mixed.rgba[i] = static_cast<std::uint8_t>(
+                (picture.rgba[i] * left + first_picture.rgba[i] * (passing + 1 - left)) / (passing + 1));
+        }
+        return mixed;
+    }
+    // The WebP film goes on without the MP4.
+    void add_to_mp4() {
+        if (drawn == 0) first_picture = picture;
+        if (!mp4) return;
+        const asset::Image shown = repeated();
+        for (std::size_t i = 0; mp4 && i < kMp4Quantisers.size(); ++i)
+            if (auto added = (*mp4)[i].add(shown); !added) mp4 = added.error();
     }
 
     void dress(const pot::Pot& wet) {
@@ -120,18 +147,35 @@ struct FilmMaker::Parts {
 FilmMaker::FilmMaker() = default;
 FilmMaker::~FilmMaker() = default;
 
+namespace {
+
+Result<std::vector<asset::Mp4Film>> mp4_films(const FilmDesc& desc) {
+    std::vector<asset::Mp4Film> films;
+    for (const int quantiser : kMp4Quantisers) {
+        auto film = asset::Mp4Film::create({desc.width, desc.height, kFilmPictureMs, quantiser});
+        if (!film) return film.error();
+        films.push_back(std::move(film).value());
+    }
+    return films;
+}
+
+}  // namespace
+
 Result<std::unique_ptr<FilmMaker>> FilmMaker::create(record::Session session, haptic::Start start,
                                                      const FilmDesc& desc) {
     if (!(desc.seconds >= kLeastFilmS && desc.seconds <= kLongestFilmS)) {
         return bad_input(fmt::format("film: expected {} to {} seconds, found {}", kLeastFilmS, kLongestFilmS,
                                      desc.seconds));
     }
+    auto mp4 = desc.as_mp4 ? mp4_films(desc) : Result<std::vector<asset::Mp4Film>>(Error{});
+    if (!mp4 && mp4.error().kind == ErrorKind::kBadInput) return mp4.error();
     auto camera = wheel::StillCamera::create(desc.width, desc.height, {.quick = desc.quick});
     if (!camera) return camera.error();
     std::unique_ptr<FilmMaker> maker(new FilmMaker);
     maker->parts_ = std::make_unique<Parts>(std::move(session), std::move(start), desc);
     Parts& parts = *maker->parts_;
     parts.camera = std::move(*camera);
+    parts.mp4 = std::move(mp4);
     for (const double quality : kQualities) {
         auto film = asset::WebpFilm::create({desc.width, desc.height, quality});
         if (!film) return film.error();
@@ -155,6 +199,7 @@ Result<bool> FilmMaker::work() {
     for (asset::WebpFilm& film : parts.films) {
         if (auto added = film.add(parts.picture, kFilmPictureMs); !added) return added.error();
     }
+    parts.add_to_mp4();
     if (parts.drawn == parts.place_of_still()) parts.still = parts.picture;
     return ++parts.drawn < parts.plan.size();
 }
@@ -184,6 +229,10 @@ const asset::Image& FilmMaker::picture() const {
     return parts_->picture;
 }
 
+const haptic::HapticState& FilmMaker::state() const {
+    return parts_->replay.state();
+}
+
 Result<std::vector<std::byte>> FilmMaker::still() const {
     const asset::Image& image = parts_->still;
     auto film = asset::WebpFilm::create({image.width, image.height, kStillQuality});
@@ -204,6 +253,16 @@ Result<std::vector<std::byte>> FilmMaker::take() {
         fmt::format("film: expected at most {} bytes, found {} in the lowest quality: a smaller size or "
                     "fewer seconds fit",
                     parts_->desc.most_bytes, least));
+}
+
+Result<std::vector<std::byte>> FilmMaker::take_mp4() {
+    if (!parts_->mp4) return parts_->mp4.error();
+    Result<std::vector<std::byte>> file(Error{});
+    for (asset::Mp4Film& film : *parts_->mp4) {
+        file = film.finish();
+        if (!file || static_cast<double>(file->size()) <= kMp4BytesPerS * parts_->desc.seconds) break;
+    }
+    return file;
 }
 
 }  // namespace onggi::app

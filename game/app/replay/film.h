@@ -1,6 +1,6 @@
-// The film of a making: replays a session exactly, draws it picture by picture and packs it as animated WebP.
-// It works in slices, so that the caller can show progress or stop. One thread at a time; has its own Vulkan
-// device.
+// The film of a making: replays a session exactly, draws it picture by picture and packs it as animated WebP,
+// and as MP4 if asked. It works in slices, so that the caller can show progress or stop. One thread at a
+// time; has its own Vulkan device.
 #pragma once
 
 #include <cstddef>
@@ -46,11 +46,13 @@ struct FilmDesc {
     // Draws like the CPU backend of the live window (see wheel::StillOptions), while a kiosk runs. Otherwise
     // each picture equals the screenshot of its tick, to the byte.
     bool quick = false;
+    bool as_mp4 = false;  // for take_mp4()
 };
 
 class FilmMaker {
   public:
-    // Bad input: a size or a length outside its bounds; system lacks: no Vulkan device.
+    // Bad input: a size or a length outside its bounds, or a size that MP4 cannot have; system lacks: no
+    // Vulkan device.
     [[nodiscard]] static Result<std::unique_ptr<FilmMaker>> create(record::Session session,
                                                                    haptic::Start start, const FilmDesc& desc);
     ~FilmMaker();
@@ -71,12 +73,18 @@ class FilmMaker {
     [[nodiscard]] std::size_t pictures_drawn() const;
     // The last picture drawn; empty before the first.
     [[nodiscard]] const asset::Image& picture() const;
+    // The pot after the ticks so far.
+    [[nodiscard]] const haptic::HapticState& state() const;
     // The film's still picture, from late in the making, as WebP. Precondition: the film is complete. Bad
     // input: as asset::WebpFilm.
     [[nodiscard]] Result<std::vector<std::byte>> still() const;
     // The file, once, when the work is done: in the best quality that fits into most_bytes. Bad input: no
     // quality fits.
     [[nodiscard]] Result<std::vector<std::byte>> take();
+    // The same pictures as MP4, once, when the work is done. It is made to be repeated: the last third of the
+    // finished pot's pictures pass over into the first picture. In a lower quality if it is over 50 kB per
+    // second. kFailed: the encoder failed. Precondition: FilmDesc::as_mp4.
+    [[nodiscard]] Result<std::vector<std::byte>> take_mp4();
 
   private:
     FilmMaker();

@@ -555,7 +555,8 @@ class MicroServer final : public ShareServer {
             limits_.missed(address, now_s);
             return send(responses_.lost(language));
         }
-        if (method == "GET" && answer.file.counted != '\0')
+        // A player asks for ranges, as often as it likes.
+        if (method == "GET" && answer.range.empty() && answer.file.counted != '\0')
             counter_.count(static_cast<sharing::ShareEvent>(answer.file.counted));
         return send(file);
     }

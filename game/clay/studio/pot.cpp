@@ -55,17 +55,28 @@ PotMeasures measure_pot(const studio::Rings& rings, ClayBody body, Firing stage)
     pot.floor_mm = rings.floor_mm() * scale;
     pot.foot_mm = 2.0 * rings.outer_mm.front() * scale;
     pot.mouth_mm = 2.0 * rings.outer_mm[studio::Rings::at(rings.count - 1)] * scale;
+    // The hollow that is open above and has a floor; a film of clay is none.
+    constexpr double kLidMm = 0.05;
     double hollow_mm3 = 0.0;
+    double solid_mm = 0.0;
+    bool has_floor = false;
     for (int i = 0; i < rings.count; ++i) {
         const std::size_t at = studio::Rings::at(i);
         pot.widest_mm = std::max(pot.widest_mm, 2.0 * rings.outer_mm[at] * scale);
-        if (!rings.is_hollow(i)) continue;
+        if (!rings.is_hollow(i)) {
+            solid_mm += rings.height_mm[at];
+            if (solid_mm < kLidMm) continue;
+            hollow_mm3 = 0.0;
+            has_floor = true;
+            continue;
+        }
+        solid_mm = 0.0;
         const double wall = rings.wall_mm(i) * scale;
         pot.thickest_wall_mm = std::max(pot.thickest_wall_mm, wall);
         pot.thinnest_wall_mm = pot.thinnest_wall_mm > 0.0 ? std::min(pot.thinnest_wall_mm, wall) : wall;
         hollow_mm3 += kPi * rings.inner_mm[at] * rings.inner_mm[at] * rings.height_mm[at];
     }
-    pot.capacity_ml = hollow_mm3 * scale * scale * scale / kMm3PerMl;
+    if (has_floor) pot.capacity_ml = hollow_mm3 * scale * scale * scale / kMm3PerMl;
     return pot;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/support/webp_frames.h"
+#include "tests/unit/asset/moving_square.h"
 
 namespace onggi::asset {
 namespace {
@@ -12,19 +13,8 @@ namespace {
 constexpr int kWidth = 40;
 constexpr int kHeight = 30;
 
-// A slope of colours under a square that moves.
 Image picture(int index) {
-    Image image{.width = kWidth, .height = kHeight, .rgba = {}};
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-            const bool in_square = std::abs(x - 8 - 3 * index) < 5 && std::abs(y - 15) < 5;
-            image.rgba.push_back(static_cast<std::uint8_t>(in_square ? 230 : 4 * x));
-            image.rgba.push_back(static_cast<std::uint8_t>(in_square ? 40 : 6 * y));
-            image.rgba.push_back(static_cast<std::uint8_t>(in_square ? 20 : 90));
-            image.rgba.push_back(255);
-        }
-    }
-    return image;
+    return moving_square(index, kWidth, kHeight);
 }
 
 std::vector<std::byte> film(double quality, int pictures = 6) {

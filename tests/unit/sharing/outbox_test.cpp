@@ -53,11 +53,12 @@ TEST_F(OutboxTest, KeepsAPotWholeAndFindsItAfterARestart) {
     EXPECT_EQ(test::content_of(place / "pot.glb"), text_of(pot.model_glb.bytes));
     EXPECT_EQ(test::content_of(place / "pot.png"), text_of(pot.picture.bytes));
     for (const char* name :
-         {"index.html", "en.html", "ko.html", "ar.html", "page.css", "pot.js", "poster.png", "pot.stl",
-          "pot.3mf", "film.webp", "still.png", "surface.png", ".kept", "pot.glb.gz", "pot.stl.gz",
-          "index.html.gz", "page.css.gz", "pot.js.gz"})
+         {"index.html", "en.html",       "ko.html",     "ar.html",     "page.css",   "pot.js",
+          "poster.png", "pot.stl",       "pot.3mf",     "film.webp",   "film.mp4",   "pot.svg",
+          "pot.pdf",    "pot.json",      "still.png",   "surface.png", ".kept",      "pot.glb.gz",
+          "pot.stl.gz", "index.html.gz", "page.css.gz", "pot.js.gz",   "pot.svg.gz", "pot.json.gz"})
         EXPECT_TRUE(fs::is_regular_file(place / name)) << name;
-    for (const char* name : {"pot.png.gz", "pot.3mf.gz", "film.webp.gz", ".kept.gz"})
+    for (const char* name : {"pot.png.gz", "pot.3mf.gz", "film.webp.gz", "film.mp4.gz", ".kept.gz"})
         EXPECT_FALSE(fs::exists(place / name)) << name;
     EXPECT_EQ(test::content_of(place / "index.html"), test::content_of(place / "en.html"));
 
@@ -96,7 +97,7 @@ TEST_F(OutboxTest, AddsMissingFilesToAnExistingPot) {
     Outbox outbox = open_in(folder_ / "box");
     const SharedPot whole = support::full_pot("one");
     SharedPot unfilmed = whole;
-    unfilmed.film = unfilmed.film_still = {};
+    unfilmed.film = unfilmed.film_mp4 = unfilmed.film_still = {};
     const auto code = outbox.put(unfilmed, kNoon);
     ASSERT_TRUE(code) << code.error().message;
     const fs::path place = folder_ / "box" / code->text();

@@ -39,12 +39,44 @@ TEST(PhonePage, HasALinkForEachFileThatIsThere) {
           "href=\"pot.glb\" download=\"onggi-K73FQ9TX.glb\"",
           "href=\"pot.stl\" download=\"onggi-K73FQ9TX.stl\"",
           "href=\"pot.3mf\" download=\"onggi-K73FQ9TX.3mf\"",
-          "href=\"film.webp\" download=\"onggi-K73FQ9TX.webp\"",
+          "href=\"film.mp4\" download=\"onggi-K73FQ9TX.mp4\"",
           "<img src=\"poster.png\" alt=\"Your pot, Celadon\">", "href=\"ko.html\" hreflang=\"ko\"",
           "Film, 8 s", "<bdi>160</bdi>", "<bdi>1.9</bdi>", "This page is gone after today, 18:00.",
           "Moon jar", "<svg viewBox"})
         EXPECT_TRUE(has(page, link)) << link;
     EXPECT_FALSE(has(page, "id=\"ar\"")) << "no augmented reality without https";
+    EXPECT_FALSE(has(page, "id=\"share\"")) << "browsers share no files without https";
+    EXPECT_TRUE(has(page, "id=\"iphone\" hidden>On an iPhone, what you save goes to Files"));
+}
+
+TEST(PhonePage, PlaysTheMp4WithTheAnimatedPictureInsteadWhereItCannot) {
+    const std::string page = page_of(support::full_pot("x"), 0);
+    const std::size_t video = page.find("<video class=\"film\" id=\"video\" playsinline muted loop controls");
+    const std::size_t source = page.find("<source src=\"film.mp4\" type=\"video/mp4\">", video);
+    const std::size_t instead = page.find("<a class=\"film\" id=\"film\" href=\"film.webp\"", source);
+    EXPECT_NE(instead, std::string::npos);
+    EXPECT_LT(instead, page.find("</video>", video));
+    EXPECT_TRUE(has(page, "poster=\"still.png\" aria-label=\"How it was made\""));
+    EXPECT_TRUE(has(page, "media-src 'self'"));
+
+    SharedPot without = support::full_pot("x");
+    without.film_mp4 = {};
+    const std::string older = page_of(without, 0);
+    EXPECT_FALSE(has(older, "<video"));
+    EXPECT_FALSE(has(older, "film.mp4"));
+    EXPECT_TRUE(has(older, "href=\"film.webp\" download=\"onggi-K73FQ9TX.webp\""));
+    EXPECT_TRUE(has(older, "<a class=\"film\" id=\"film\" href=\"film.webp\""));
+}
+
+TEST(PhonePage, HoldsDrawingAndMeasuresBehindAFold) {
+    const std::string page = page_of(support::full_pot("x"), 0);
+    const std::size_t fold = page.find("<details>\n<summary>For researchers</summary>");
+    ASSERT_NE(fold, std::string::npos);
+    for (const char* link : {"href=\"pot.pdf\" download=\"onggi-K73FQ9TX.pdf\"",
+                             "href=\"pot.svg\" download=\"onggi-K73FQ9TX.svg\"",
+                             "href=\"pot.json\" download=\"onggi-K73FQ9TX.json\""})
+        EXPECT_GT(page.find(link), fold) << link;
+    EXPECT_FALSE(has(page_of(SharedPot(), 0), "<details>"));
 }
 
 TEST(PhonePage, OmitsMissingFiles) {
@@ -72,6 +104,8 @@ TEST(PhonePage, OffersAugmentedRealityByHttpsOnly) {
     EXPECT_TRUE(
         has(page, "intent://arvr.google.com/scene-viewer/1.0?file=https://museum.org/pots/K73FQ9TX/pot.glb"));
     EXPECT_TRUE(has(page, "id=\"ar\" hidden")) << "the script shows it where there is a viewer";
+    EXPECT_TRUE(has(page, "id=\"share\" type=\"button\" hidden"))
+        << "the script shows it where files are shared";
 }
 
 TEST(PhonePage, LoadsOnlyFilesOfItsFolder) {
@@ -132,7 +166,7 @@ TEST(PhonePage, SaysHowViewersShowAnStl) {
     EXPECT_TRUE(has(page_of(support::full_pot("x"), 0), "<p class=\"note\">Files for printing stand on Z."));
     SharedPot without = support::full_pot("x");
     without.print_stl = {};
-    EXPECT_FALSE(has(page_of(without, 0), "class=\"note\""));
+    EXPECT_FALSE(has(page_of(without, 0), "<p class=\"note\">"));
 }
 
 TEST(PlainPages, SayItInEveryLanguageTheLikedOneFirst) {

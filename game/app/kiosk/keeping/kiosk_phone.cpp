@@ -43,7 +43,7 @@ screens::PhoneCode code_of(const std::string& text) {
 
 }  // namespace
 
-Result<void> KioskFilm::begin(const std::filesystem::path& session) {
+Result<void> KioskFilm::begin(const std::filesystem::path& session, const std::string& credit) {
     drop();
     if (program_.empty()) return {};
     std::error_code error;
@@ -52,9 +52,28 @@ Result<void> KioskFilm::begin(const std::filesystem::path& session) {
     if (!error) std::filesystem::rename(session, taken, error);
     if (error) return system_lacks(fmt::format("film: {}: {}", taken.string(), error.message()));
     const Files made = places();
-    auto maker =
-        jobs::IdleProcess::start({program_, "film", taken, "--out", made.film, "--still", made.still,
-                                  "--quick", "--glaze", "-", "--seconds", fmt::format("{}", kSeconds)});
+    std::vector<std::string> words{program_,
+                                   "film",
+                                   taken,
+                                   "--out",
+                                   made.film,
+                                   "--still",
+                                   made.still,
+                                   "--mp4",
+                                   made.mp4,
+                                   "--drawing",
+                                   made.drawing_svg,
+                                   "--drawing",
+                                   made.drawing_pdf,
+                                   "--measures",
+                                   made.measures,
+                                   "--quick",
+                                   "--glaze",
+                                   "-",
+                                   "--seconds",
+                                   fmt::format("{}", kSeconds)};
+    if (!credit.empty()) words.push_back("--credit=" + credit);
+    auto maker = jobs::IdleProcess::start(std::move(words));
     if (!maker) return system_lacks("film: " + maker.error().message);
     maker_.emplace(std::move(*maker));
     return {};
@@ -95,7 +114,8 @@ std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
 void KioskPhone::film(std::filesystem::path session) {
     tasks_.post([this, session = std::move(session)] {
         unfilmed_.reset();
-        if (const auto begun = film_.begin(session); !begun) answer({.words = begun.error().message});
+        if (const auto begun = film_.begin(session, credit_of(settings_)); !begun)
+            answer({.words = begun.error().message});
     });
 }
 
@@ -122,20 +142,32 @@ void KioskPhone::share_when_filmed() {
     share_now(*std::exchange(waiting_, std::nullopt));
 }
 
-// A film that cannot be read is missing, like one that could not be made.
+// A film that cannot be read is missing, like one that could not be made; so is each of the other files.
 bool KioskPhone::add_film(sharing::SharedPot& pot, const asset::About& about) {
     const auto film = film_.files();
     if (!film) return false;
-    for (const auto& [place, into] : {std::pair(&film->film, &pot.film), {&film->still, &pot.film_still}}) {
-        const auto plain = files::read_file(*place, kMostFilmBytes);
-        auto told = plain ? asset::picture_about(std::as_bytes(std::span(*plain)), about)
-                          : Result<std::vector<std::byte>>(plain.error());
+    const auto add = [&](const std::filesystem::path& place, sharing::FileContent& into, bool tells = true) {
+        const auto plain = files::read_file(place, kMostFilmBytes);
+        if (!plain) {
+            answer({.words = "film: " + plain.error().message});
+            return false;
+        }
+        const auto bytes = std::as_bytes(std::span(*plain));
+        auto told =
+            tells ? asset::picture_about(bytes, about) : std::vector<std::byte>(bytes.begin(), bytes.end());
         if (!told) {
             answer({.words = "film: " + told.error().message});
             return false;
         }
-        into->bytes = std::move(*told);
-    }
+        into.bytes = std::move(*told);
+        return true;
+    };
+    if (!add(film->film, pot.film) || !add(film->still, pot.film_still)) return false;
+    std::error_code ignored;
+    if (std::filesystem::exists(film->mp4, ignored)) add(film->mp4, pot.film_mp4);
+    add(film->drawing_svg, pot.drawing_svg);
+    add(film->drawing_pdf, pot.drawing_pdf, false);
+    add(film->measures, pot.measures_json, false);
     pot.film_s = KioskFilm::kSeconds;
     return true;
 }

@@ -45,12 +45,16 @@ class KioskFilm {
     struct Files {
         std::filesystem::path film;
         std::filesystem::path still;  // shown until the film is requested
+        std::filesystem::path mp4;    // missing if its encoder failed
+        std::filesystem::path drawing_svg;
+        std::filesystem::path drawing_pdf;
+        std::filesystem::path measures;
     };
     static constexpr double kSeconds = 8.0;  // duration of a film
 
-    // Starts a film of a session file, which it moves. Drops the previous film. System lacks: no space, no
-    // process.
-    Result<void> begin(const std::filesystem::path& session);
+    // Starts a film of a session file, which it moves, and the drawing, with a line of credit. Drops the
+    // previous film. System lacks: no space, no process.
+    Result<void> begin(const std::filesystem::path& session, const std::string& credit = {});
     // Sends the glaze of its last seconds (a finish::GlazeMaterial::id) and the decoration below it, or null.
     // Once per film.
     void finish_in(std::string_view glaze, const decoration::Marks* marks);
@@ -63,7 +67,10 @@ class KioskFilm {
     void drop() noexcept;
 
   private:
-    [[nodiscard]] Files places() const { return {folder_ / "film.webp", folder_ / "still.webp"}; }
+    [[nodiscard]] Files places() const {
+        return {folder_ / "film.webp", folder_ / "still.webp", folder_ / "film.mp4",
+                folder_ / "pot.svg",   folder_ / "pot.pdf",    folder_ / "pot.json"};
+    }
 
     std::filesystem::path program_;
     std::filesystem::path folder_;

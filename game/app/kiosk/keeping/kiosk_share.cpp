@@ -152,6 +152,13 @@ exporter::PotStory pot_story(const screens::FiredPot& pot, int glaze, const Kios
     return story;
 }
 
+std::string credit_of(const KioskSettings& settings) {
+    const kiosk::Config& config = settings.config;
+    return asset::About{.rights = wordings_of(config.sharing.licence, config.languages.first),
+                        .publisher = wordings_of(config.sharing.publisher, config.languages.first)}
+        .copyright();
+}
+
 sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze, const KioskSettings& settings,
                               int language) {
     constexpr double kMlPerLitre = 1000.0;

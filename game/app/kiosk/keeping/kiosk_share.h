@@ -25,6 +25,9 @@ namespace onggi::app {
 [[nodiscard]] exporter::PotStory pot_story(const screens::FiredPot& pot, int glaze,
                                            const KioskSettings& settings);
 
+// The house and its licence in one line, in the house's first language; empty if neither is set.
+[[nodiscard]] std::string credit_of(const KioskSettings& settings);
+
 // The pot alone in a square picture with a transparent background, placed as by the page's script, so that
 // the script can replace it seamlessly.
 [[nodiscard]] asset::Image share_poster(const pot::Section& shape, int glaze, int side_px);
