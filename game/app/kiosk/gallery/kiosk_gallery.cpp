@@ -24,14 +24,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the number in "pot-014", or 0 for any other name.
-int number_of(const std::string& name) {
+}  // namespace
+
+int pot_number(std::string_view name) {
     constexpr std::string_view kPrefix = "pot-";
     if (!name.starts_with(kPrefix)) return 0;
-    return number_in<int>(std::string_view(name).substr(kPrefix.size())).value_or(0);
+    return number_in<int>(name.substr(kPrefix.size())).value_or(0);
 }
 
-}  // namespace
+int next_pot_number(const fs::path& day) {
+    int number = 1;
+    for (const fs::path& entry : list_folder(day).entries)
+        number = std::max(number, pot_number(entry.filename().string()) + 1);
+    return number;
+}
 
 asset::Image straight_picture(ui::Painting painting) {
     asset::Image image{.width = painting.width, .height = painting.height, .rgba = std::move(painting.rgba)};
@@ -94,7 +100,7 @@ std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
     for (const fs::path& day : entries_of(folder)) {
         if (!fs::is_directory(day, ignored)) continue;
         for (const fs::path& pot : entries_of(day)) {
-            if (const int number = number_of(pot.filename().string()); number != 0)
+            if (const int number = pot_number(pot.filename().string()); number != 0)
                 found.push_back({{day.filename().string(), number}, pot});
         }
     }
@@ -105,6 +111,13 @@ std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
     for (Aged& pot : found)
         pots.push_back({pot.folder, pot.age.first + "/" + pot.folder.filename().string()});
     return pots;
+}
+
+Result<void> Gallery::expect_free(double more_mb) const {
+    const double free = free_mb();
+    if (free >= least_free_mb_ + more_mb) return {};
+    return system_lacks(fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(),
+                                    least_free_mb_ + more_mb, free));
 }
 
 Result<void> Gallery::remove(const KeptPot& pot) {
@@ -146,13 +159,8 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     if (error)
         return system_lacks(fmt::format("{}: expected a folder to save in, found none: {}",
                                         (folder_ / today).string(), error.message()));
-    if (const double free = free_mb(); free < least_free_mb_) {
-        return system_lacks(
-            fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(), least_free_mb_, free));
-    }
-    int number = 1;
-    for (const fs::path& entry : list_folder(folder_ / today).entries)
-        number = std::max(number, number_of(entry.filename().string()) + 1);
+    if (auto room = expect_free(); !room) return room.error();
+    int number = next_pot_number(folder_ / today);
     const auto place_of = [&] { return folder_ / today / fmt::format("pot-{:03}", number); };
     // If the disk fails, the listing may be incomplete.
     while (fs::exists(place_of(), error))

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/asset/image.h"
@@ -42,6 +43,10 @@ struct KeptPot {
                                              std::string* trouble = nullptr);
 [[nodiscard]] double free_mb_at(const std::filesystem::path& folder);
 
+// The number in "pot-014", or 0 for any other name; the number of the next pot in that day's folder.
+[[nodiscard]] int pot_number(std::string_view name);
+[[nodiscard]] int next_pot_number(const std::filesystem::path& day);
+
 class Gallery {
   public:
     // `today` is the folder of the day, "2026-11-21". Reads no pot, so that its duration does not depend on
@@ -62,6 +67,8 @@ class Gallery {
     }
     Result<void> remove(const KeptPot& pot);
     [[nodiscard]] double free_mb() const { return free_mb_at(folder_); }
+    // System lacks: less free space than the configuration reserves beside `more_mb`.
+    [[nodiscard]] Result<void> expect_free(double more_mb = 0.0) const;
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   private:
