@@ -57,8 +57,8 @@ Result<ArchiveWriter> ArchiveWriter::create(const std::filesystem::path& destina
 
 Error ArchiveWriter::lost() const {
     if (sink_->trouble) return *sink_->trouble;
-    return failed(fmt::format("{}: cannot write: {}", shown(sink_->file.destination()),
-                              said_by(handle_.get())));
+    return failed(
+        fmt::format("{}: cannot write: {}", shown(sink_->file.destination()), said_by(handle_.get())));
 }
 
 Result<void> ArchiveWriter::add(const std::string& name, std::string_view bytes) {
@@ -96,15 +96,15 @@ Result<ArchiveReader> ArchiveReader::open(const std::filesystem::path& file) {
     // Reads by the directory at the file's end: one that was cut has none.
     archive_read_support_format_zip_seekable(reader.handle_.get());
     if (archive_read_open_filename(reader.handle_.get(), file.c_str(), kBlockBytes) != ARCHIVE_OK)
-        return bad_input(fmt::format("{}: expected a whole ZIP file, found another kind of file, or a part",
-                                     shown(file)));
+        return bad_input(
+            fmt::format("{}: expected a whole ZIP file, found another kind of file, or a part", shown(file)));
     return reader;
 }
 
 Error ArchiveReader::damage() const {
     const std::string where = name_.empty() ? shown(file_) : shown(file_) + ", " + shown_path(name_);
-    return bad_input(fmt::format("{}: expected an undamaged archive, found: {}", where,
-                                 said_by(handle_.get())));
+    return bad_input(
+        fmt::format("{}: expected an undamaged archive, found: {}", where, said_by(handle_.get())));
 }
 
 Result<std::optional<std::string>> ArchiveReader::next() {
@@ -115,8 +115,7 @@ Result<std::optional<std::string>> ArchiveReader::next() {
         if (answer != ARCHIVE_OK) return damage();
         const char* name = archive_entry_pathname(entry);
         if (name == nullptr)
-            return bad_input(
-                fmt::format("{}: expected names that are text, found another", shown(file_)));
+            return bad_input(fmt::format("{}: expected names that are text, found another", shown(file_)));
         name_ = name;
         const mode_t kind = archive_entry_filetype(entry);
         if (kind == AE_IFREG) return std::optional(name_);
@@ -133,8 +132,7 @@ Result<std::string> ArchiveReader::read(std::size_t most_bytes) {
     for (;;) {
         const std::size_t filled = bytes.size();
         bytes.resize(std::min(filled + std::max(filled, kBlockBytes), most_bytes + 1));
-        const la_ssize_t got =
-            archive_read_data(handle_.get(), bytes.data() + filled, bytes.size() - filled);
+        const la_ssize_t got = archive_read_data(handle_.get(), bytes.data() + filled, bytes.size() - filled);
         if (got < 0) return damage();
         bytes.resize(filled + static_cast<std::size_t>(got));
         if (bytes.size() > most_bytes) {

@@ -136,8 +136,7 @@ Result<void> move_into_place(const fs::path& from, const fs::path& destination) 
     }
     fs::rename(from, destination, error);
     if (!error) return synced(folder);
-    if (error != std::errc::cross_device_link)
-        return lost(destination, "to rename it into place", error);
+    if (error != std::errc::cross_device_link) return lost(destination, "to rename it into place", error);
     if (auto copied = copy_into_place(from, destination); !copied) return copied;
     fs::remove_all(from, error);
     return {};

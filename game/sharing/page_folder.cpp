@@ -91,6 +91,7 @@ Result<PageFolder> PageFolder::of(const SharedPot& pot) {
         const FileContent& content;
         const char* name;
     } plain[] = {{pot.model_glb, "pot.glb"},
+                 {pot.model_usdz, "pot.usdz"},
                  {pot.print_stl, "pot.stl"},
                  {pot.print_3mf, "pot.3mf"},
                  {pot.film, "film.webp"}};

@@ -32,8 +32,8 @@ class TheGallery : public testing::Test {
     }
     [[nodiscard]] std::vector<std::string> words(const std::string& way, const fs::path& gallery) const {
         put_file(settings_, "[gallery]\nleast_free_mb = 1\n");
-        return {"gallery", way,         archive_.string(), "--config", settings_.string(),
-                "--gallery", gallery.string()};
+        return {"gallery",          way,         archive_.string(), "--config",
+                settings_.string(), "--gallery", gallery.string()};
     }
     // Files by their names, without the program's own.
     static std::map<std::string, std::string> tree_of(const fs::path& gallery) {
@@ -69,7 +69,8 @@ TEST_F(TheGallery, StaysAloneWhileAKioskRunsOnIt) {
     ASSERT_EQ(run("export", old_).exit_code, 0);
     app::GalleryLock kiosk;
     ASSERT_TRUE(kiosk.take(old_ / "state"));
-    const std::string line = "expected no other kiosk at this gallery, found process " + std::to_string(::getpid());
+    const std::string line =
+        "expected no other kiosk at this gallery, found process " + std::to_string(::getpid());
     const auto before = tree_of(old_);
     expect_one_line(run("export", old_), 3, line);
     expect_one_line(run("import", old_), 3, line);

@@ -50,7 +50,8 @@ bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample
                    nlohmann::json& expected) {
     const auto file = exporter::pot_file(pot.rings());
     if (!write_print(folder / pot.name, file) ||
-        !write(folder / (pot.name + ".glb"), exporter::encode_pot(file, exporter::ExportKind::kGlb)))
+        !write(folder / (pot.name + ".glb"), exporter::encode_pot(file, exporter::ExportKind::kGlb)) ||
+        !write(folder / (pot.name + ".usdz"), exporter::encode_pot(file, exporter::ExportKind::kUsdz)))
         return false;
     const auto built = exporter::build_pot_solid(pot.rings());
     if (!built) return false;
@@ -70,7 +71,10 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
     const clay::ClayBody body = pot.clay.lump().body;
     const auto worn = look::lathe_look(wheel::clay_material(body, pot.stage), "clay");
     if (!write_print(folder / pot.name, exporter::pot_file(pot.clay, pot.stage)) ||
-        !write(folder / (pot.name + ".glb"), look::dressed_glb(pot.clay, pot.stage, worn)))
+        !write(folder / (pot.name + ".glb"), look::dressed_glb(pot.clay, pot.stage, worn)) ||
+        !write(
+            folder / (pot.name + ".usdz"),
+            exporter::encode_pot(look::dressed_pot(pot.clay, pot.stage, worn), exporter::ExportKind::kUsdz)))
         return false;
     const double scale = 1e-3 * clay::shrunk_scale(body, pot.stage);
     const auto built = exporter::viewed_solid(pot.clay, pot.stage);
@@ -88,7 +92,7 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
     return true;
 }
 
-// A pot with all that its files can say, as GLB, 3MF, STL, PNG and an animated WebP.
+// A pot with all that its files can say, as GLB, USDZ, 3MF, STL, PNG and an animated WebP.
 bool add_told_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                   nlohmann::json& expected) {
     const exporter::PotStory story{
@@ -117,7 +121,9 @@ bool add_told_pot(const std::filesystem::path& folder, const support::StudioSamp
     if (!webp || !built || !write_print(place, exporter::pot_file(pot.clay, pot.stage, story)) ||
         !write(folder / "told.png", asset::picture_about(*png, story.about)) ||
         !write(folder / "told.webp", asset::picture_about(*webp, story.about)) ||
-        !write(folder / "told.glb", look::dressed_glb(pot.clay, pot.stage, worn, story)))
+        !write(folder / "told.glb", look::dressed_glb(pot.clay, pot.stage, worn, story)) ||
+        !write(folder / "told.usdz", exporter::encode_pot(look::dressed_pot(pot.clay, pot.stage, worn, story),
+                                                          exporter::ExportKind::kUsdz)))
         return false;
     expected.push_back(
         {{"name", "told"},

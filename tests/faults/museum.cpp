@@ -197,7 +197,8 @@ fs::path archive_of(const fs::path& museum) {
 
 bool import_a_gallery(const fs::path& museum) {
     auto archive = files::ArchiveReader::open(archive_of(museum));
-    return archive && app::import_gallery(std::move(*archive), moving_config(museum), kNoonS, [](auto, auto) {});
+    return archive &&
+           app::import_gallery(std::move(*archive), moving_config(museum), kNoonS, [](auto, auto) {});
 }
 
 // Another museum's gallery.

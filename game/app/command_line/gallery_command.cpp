@@ -27,8 +27,8 @@ struct GalleryOptions {
     GalleryChoice gallery;
 };
 
-// Root becomes the gallery's owner while it writes there, so that the kiosk may append to, and delete, what it
-// finds. A gallery that is not there yet has the owner of the folder around it.
+// Root becomes the gallery's owner while it writes there, so that the kiosk may append to, and delete, what
+// it finds. A gallery that is not there yet has the owner of the folder around it.
 class AsOwner {
   public:
     explicit AsOwner(std::filesystem::path folder) {
@@ -84,8 +84,8 @@ Result<std::string> move_house(const GalleryOptions& options) {
     const AsOwner owner(gallery);
     const auto moved = import_gallery(std::move(*archive), *config, wall_clock_s(), reached);
     if (!moved) return moved.error();
-    return fmt::format("{}: {} new, {} there already; {}; statistics of {}\n",
-                       shown_path(options.archive), counted(moved->pots, "pot", "pots"), moved->pots_there,
+    return fmt::format("{}: {} new, {} there already; {}; statistics of {}\n", shown_path(options.archive),
+                       counted(moved->pots, "pot", "pots"), moved->pots_there,
                        counted(moved->pages, "page", "pages"), counted(moved->days, "day", "days"));
 }
 
@@ -101,14 +101,14 @@ void add_gallery_command(CLI::App& program, int& exit_status) {
     command->add_option("archive", options->archive, "a ZIP file")->type_name("ARCHIVE.zip")->required();
     add_gallery_options(*command, options->gallery);
     command->footer(
-        "Stop the kiosk first. All or nothing comes in; pots that are there already are left alone. Settings, "
+        "Stop the kiosk first. All or nothing comes in; pots that are there already are left alone. "
+        "Settings, "
         "the pot on\nthe wheel and the wall of the day do not move.");
     command->callback([options, &exit_status] {
         const auto said = move_house(*options);
         const bool is_told = said && std::fputs(said->c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-        exit_status = is_told ? 0
-                              : report(said ? system_lacks("standard output cannot be written")
-                                            : said.error());
+        exit_status =
+            is_told ? 0 : report(said ? system_lacks("standard output cannot be written") : said.error());
     });
 }
 

@@ -105,11 +105,11 @@ class MovingHouse : public testing::Test {
             bytes += content.size();
         auto writer = files::ArchiveWriter::create(archive_);
         ASSERT_TRUE(writer);
-        ASSERT_TRUE(writer->add(
-            "onggi-gallery.json",
-            !list.empty() ? list
-                          : fmt::format(R"({{"format":1,"pots":{},"files":{},"bytes":{}}})", pots,
-                                        files.size(), bytes)));
+        ASSERT_TRUE(writer->add("onggi-gallery.json",
+                                !list.empty()
+                                    ? list
+                                    : fmt::format(R"({{"format":1,"pots":{},"files":{},"bytes":{}}})", pots,
+                                                  files.size(), bytes)));
         for (const auto& [name, content] : files)
             ASSERT_TRUE(writer->add(name, content));
         ASSERT_TRUE(writer->commit());
@@ -175,8 +175,9 @@ TEST_F(MovingHouse, CountsADayOnceAndTwoMachinesTwice) {
     // The kiosk was started once in its new place, by a program that wrote other columns.
     ASSERT_TRUE(note_start(statistics, kNoonS));
     ASSERT_TRUE(note_start(statistics, kNoonS + 86'400));
-    test::put_file(statistics / "visits.csv",
-                   "day,hour,dwell_s,ended_on,kept\n2026-11-24,12,100,attract,1\n2026-11-24,12,55,attract,0\n");
+    test::put_file(
+        statistics / "visits.csv",
+        "day,hour,dwell_s,ended_on,kept\n2026-11-24,12,100,attract,1\n2026-11-24,12,55,attract,0\n");
     ASSERT_TRUE(new_.bring_in(archive_));
     EXPECT_EQ(use_of(statistics, "2026-11-25").starts, 1) << "an earlier part of the same day";
     EXPECT_EQ(use_of(statistics, "2026-11-26").starts, 1);
@@ -248,13 +249,29 @@ TEST_F(MovingHouse, RejectsWhatIsNoArchiveOfAGalleryOrALaterOne) {
 }
 
 TEST_F(MovingHouse, RejectsNamesThatLeaveTheFolderOrDoNotBelongThere) {
-    for (const char* name :
-         {"../x", "/etc/x", "pots/../../x", "pots/2026-11-25/../pot-001/x", "pots/2026-11-25/pot-001/..",
-          "pots/2026-11-25/pot-001/.", "pots/2026-11-25/pot-001/a/b", "pots/2026-11-25/pot-001/.hidden",
-          "pots/2026-11-25/pot-001/x.part", "pots/2026-11-25/pot-0/x", "pots/2026-11-25/pot--1/x",
-          "pots/2026-11-25/pot-001.part/x", "pots/day/pot-001/x", "statistics/../x", "statistics/a/x",
-          "shared/../x", "shared/CODE/x", "shared/K73FQ9TX/a/x", "state/lock", "pots\\x", "x", "a\nb",
-          "pots//pot-001/x"}) {
+    for (const char* name : {"../x",
+                             "/etc/x",
+                             "pots/../../x",
+                             "pots/2026-11-25/../pot-001/x",
+                             "pots/2026-11-25/pot-001/..",
+                             "pots/2026-11-25/pot-001/.",
+                             "pots/2026-11-25/pot-001/a/b",
+                             "pots/2026-11-25/pot-001/.hidden",
+                             "pots/2026-11-25/pot-001/x.part",
+                             "pots/2026-11-25/pot-0/x",
+                             "pots/2026-11-25/pot--1/x",
+                             "pots/2026-11-25/pot-001.part/x",
+                             "pots/day/pot-001/x",
+                             "statistics/../x",
+                             "statistics/a/x",
+                             "shared/../x",
+                             "shared/CODE/x",
+                             "shared/K73FQ9TX/a/x",
+                             "state/lock",
+                             "pots\\x",
+                             "x",
+                             "a\nb",
+                             "pots//pot-001/x"}) {
         make_archive({{name, "x"}}, 0);
         expect_refused(new_, "house.zip: expected pots/DAY/pot-N/FILE, statistics/FILE or shared/CODE/FILE");
     }

@@ -51,14 +51,14 @@ asset::Image straight_picture(ui::Painting painting) {
     return image;
 }
 
-Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
-                                            const decoration::Marks* marks, exporter::PotStory story) {
+Result<exporter::PotFile> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
+                                       const decoration::Marks* marks, exporter::PotStory story) {
     constexpr clay::Firing kStage = clay::Firing::kGlaze;
     const auto height_mm =
         static_cast<float>(clay.height_mm() * clay::shrunk_scale(clay.lump().body, kStage));
     look::PotLook worn = look::glaze_look(glaze, height_mm);
     if (marks != nullptr) worn = look::marked_look(std::move(worn), *marks, glaze.marks, height_mm);
-    return look::dressed_glb(clay, kStage, worn, std::move(story));
+    return look::dressed_pot(clay, kStage, worn, std::move(story));
 }
 
 std::string today() {
@@ -72,7 +72,8 @@ std::string day_of(std::int64_t s) {
 Gallery::Gallery(const kiosk::Config& config)
     : folder_(config.gallery.folder),
       most_pots_(config.gallery.most_pots),
-      least_free_mb_(config.gallery.least_free_mb) {}
+      least_free_mb_(config.gallery.least_free_mb),
+      for_phones_rooms_(config.sharing.public_url.starts_with("https://")) {}
 
 void Gallery::clear_parts() const {
     constexpr bool kInDays = true;
@@ -186,6 +187,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (auto written = files::write_file_atomically(folder->inside() / name, *bowl); !written)
             return written.error();
     }
+    using enum exporter::ExportKind;
     const exporter::PotStory story = dated_story(std::move(pot.story), *pot.history, today);
     {
         // Frees the picture's pixels and the solid before the GLB's pictures and solid are made.
@@ -195,15 +197,17 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (auto written = write("pot.png", asset::picture_about(*plain, story.about)); !written)
             return written.error();
         const auto print = exporter::pot_file(*pot.clay, clay::Firing::kGlaze, story);
-        using enum exporter::ExportKind;
         if (auto written = write("pot.3mf", exporter::encode_pot(print, k3mf, &portrait)); !written)
             return written.error();
         if (auto written = write("pot.stl", exporter::encode_pot(print, kStl)); !written)
             return written.error();
     }
-    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get(), story));
-        !written)
-        return written.error();
+    const auto model = glazed_model(*pot.clay, *pot.glaze, pot.marks.get(), story);
+    if (auto written = write("pot.glb", exporter::encode_pot(model, kGlb)); !written) return written.error();
+    if (for_phones_rooms_) {
+        if (auto written = write("pot.usdz", exporter::encode_pot(model, kUsdz)); !written)
+            return written.error();
+    }
     if (auto done = folder->commit(); !done) return done.error();
     // Only now: a pot that cannot be kept deletes no other. Without memory the old ones wait for the next.
     static_cast<void>(within_memory("gallery", [&]() -> Result<void> {

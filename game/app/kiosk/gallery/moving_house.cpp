@@ -84,9 +84,8 @@ Result<void> check_name(std::string_view name, const std::string& where) {
     const bool is_page = parts.size() == 3 && parts[0] == kPages &&
                          sharing::ShareCode::read_exactly(parts[1]) && is_file(parts[2]);
     if (is_pots || is_table || is_page) return {};
-    return bad_input(
-        fmt::format("{}: expected {}/DAY/pot-N/FILE, {}/FILE or {}/CODE/FILE, found {}", where, kPots,
-                    kStatistics, kPages, in_quotes(name, kMostNameBytes)));
+    return bad_input(fmt::format("{}: expected {}/DAY/pot-N/FILE, {}/FILE or {}/CODE/FILE, found {}", where,
+                                 kPots, kStatistics, kPages, in_quotes(name, kMostNameBytes)));
 }
 
 // A session is checked as a whole, with all its checksums; other files by the archive's own.
@@ -175,11 +174,12 @@ Result<List> read_list(files::ArchiveReader& archive, const std::string& where) 
     };
     const std::uint64_t format = number("format");
     if (format > kArchiveFormat) {
-        return bad_input(fmt::format("{}, {}: expected format {}, found {}: upgrade this program first", where,
-                                     kListName, kArchiveFormat, format));
+        return bad_input(fmt::format("{}, {}: expected format {}, found {}: upgrade this program first",
+                                     where, kListName, kArchiveFormat, format));
     }
     if (format == 0)
-        return bad_input(fmt::format("{}, {}: expected format {}, found none", where, kListName, kArchiveFormat));
+        return bad_input(
+            fmt::format("{}, {}: expected format {}, found none", where, kListName, kArchiveFormat));
     return List{.pots = number("pots"), .files = number("files"), .bytes = number("bytes")};
 }
 
@@ -229,8 +229,8 @@ Result<NewNames> sift_pots(const fs::path& staged, const fs::path& gallery, Move
         const std::string day = pot.folder.parent_path().filename().string();
         std::error_code error;
         if (!fs::exists(pot.folder / kSession, error))
-            return bad_input(fmt::format("{}: expected a {} in every pot, found none in {}", kPots, kSession,
-                                         pot.name));
+            return bad_input(
+                fmt::format("{}: expected a {} in every pot, found none in {}", kPots, kSession, pot.name));
         const FolderListing there = list_folder(gallery / day);
         if (!there.is_whole()) return system_lacks(listing_trouble(gallery / day, there));
         const bool is_there =
@@ -249,7 +249,8 @@ Result<NewNames> sift_pots(const fs::path& staged, const fs::path& gallery, Move
             fs::rename(pot.folder, staged / name, error);
             names[pot.name] = name;
         }
-        if (error) return system_lacks(fmt::format("{}: {}", shown_path(pot.folder.native()), error.message()));
+        if (error)
+            return system_lacks(fmt::format("{}: {}", shown_path(pot.folder.native()), error.message()));
     }
     return trouble.empty() ? Result<NewNames>(std::move(names)) : system_lacks(std::move(trouble));
 }
@@ -399,9 +400,10 @@ Result<void> check_most_pots(const House& house, const kiosk::Config& config, st
     const std::size_t here = kept_pots(house.gallery, &trouble).size();
     if (!trouble.empty()) return system_lacks(std::move(trouble));
     if (more == 0 || here + more <= static_cast<std::size_t>(config.gallery.most_pots)) return {};
-    return bad_input(fmt::format("{}: expected room for {} pots beside {}, found most_pots = {} in [gallery]: "
-                                 "the next visitor's pot would delete the oldest",
-                                 shown_path(house.gallery.native()), more, here, config.gallery.most_pots));
+    return bad_input(
+        fmt::format("{}: expected room for {} pots beside {}, found most_pots = {} in [gallery]: "
+                    "the next visitor's pot would delete the oldest",
+                    shown_path(house.gallery.native()), more, here, config.gallery.most_pots));
 }
 
 }  // namespace
