@@ -34,7 +34,8 @@ constexpr std::array<PartWords, kPotPartCount> kParts{
       .less = {"tip.next.foot.less", "a smaller foot"}},
      {.good = {"tip.good.wall", "a thin, light wall"},
       .more = {},
-      .less = {"tip.next.wall.less", "a thinner wall"}}}};
+      .less = {"tip.next.wall.less", "a thinner wall"}},
+     {.good = {}, .more = {"tip.next.hollow", "open the middle"}, .less = {}}}};
 constexpr Words kOther{"tip.next.other", "another pot of the shelf"};
 
 const Words& good_words(const Advice& advice) {
@@ -58,9 +59,18 @@ bool has_belly(const PotForm& pot) {
     return pot.widest_mm() > kBeyond * std::max(pot.mouth_mm(), pot.foot_mm());
 }
 
-// Ratio of the widest diameter to the mean of mouth and foot: 1 for a straight wall.
-double fullness(const PotForm& pot) {
-    return 2.0 * pot.widest_mm() / (pot.mouth_mm() + pot.foot_mm());
+// How far the widest diameter exceeds the mean of mouth and foot: 0 for a straight wall.
+double bulge_mm(const PotForm& pot) {
+    return pot.widest_mm() - 0.5 * (pot.mouth_mm() + pot.foot_mm());
+}
+
+// The mean wall across its lean, which is less than its width in a level cut; 0 for a solid pot.
+double wall_across_mm(const PotForm& pot) {
+    const double step_mm = pot.height_mm / static_cast<double>(pot.radii_mm.size() - 1);
+    double length_mm = 0.0;
+    for (std::size_t i = 0; i + 1 < pot.radii_mm.size(); ++i)
+        length_mm += std::hypot(step_mm, pot.radii_mm[i + 1] - pot.radii_mm[i]);
+    return pot.wall_mm.value_or(0.0) * pot.height_mm / length_mm;
 }
 
 }  // namespace
@@ -71,14 +81,19 @@ Advice advise(const PotForm& pot, const Target& target, std::optional<double> fr
         6.0;  // fired; the wall that a practised hand leaves in a pot from a lump of this size
     constexpr double kOfWall = 0.25;  // a wall of twice the thickness counts as a diameter off by a quarter
     constexpr double kAlike = 0.02;
+    constexpr double kThickWallMm = 9.0;  // likewise; thicker, and the outline is not yet what matters
+    const double wall_mm = wall_across_mm(pot);
     const PotForm museum = form_of(target);
     const double scale = fraction.value_or(pot.height_mm / museum.height_mm);
-    std::array<Off, kPotPartCount> parts{
-        {{PotPart::kHeight, pot.height_mm / (scale * museum.height_mm) - 1.0},
-         {PotPart::kBelly, fullness(pot) / fullness(museum) - 1.0},
-         {PotPart::kMouth, pot.mouth_mm() / (scale * museum.mouth_mm()) - 1.0},
-         {PotPart::kFoot, pot.foot_mm() / (scale * museum.foot_mm()) - 1.0},
-         {PotPart::kWall, kOfWall * std::max(0.0, pot.wall_mm.value_or(0.0) / kThinWallMm - 1.0)}}};
+    // In widths of the whole pot, as the eye compares: a small foot is no more important than a wide mouth.
+    const auto off_by = [&](double pot_mm, double museum_mm) {
+        return (pot_mm - scale * museum_mm) / (scale * museum.widest_mm());
+    };
+    std::array<Off, 5> parts{{{PotPart::kHeight, pot.height_mm / (scale * museum.height_mm) - 1.0},
+                              {PotPart::kBelly, off_by(bulge_mm(pot), bulge_mm(museum))},
+                              {PotPart::kMouth, off_by(pot.mouth_mm(), museum.mouth_mm())},
+                              {PotPart::kFoot, off_by(pot.foot_mm(), museum.foot_mm())},
+                              {PotPart::kWall, kOfWall * std::max(0.0, wall_mm / kThinWallMm - 1.0)}}};
     const auto is_asked = [&](const Off& off) {
         if (off.part == PotPart::kHeight) return fraction.has_value();
         if (off.part == PotPart::kBelly) return has_belly(museum);
@@ -89,6 +104,8 @@ Advice advise(const PotForm& pot, const Target& target, std::optional<double> fr
     const auto [nearest, farthest] = std::minmax_element(
         parts.begin(), end,
         [](const Off& one, const Off& other) { return std::fabs(one.by) < std::fabs(other.by); });
+    if (!pot.wall_mm) return {.good = nearest->part, .next = PotPart::kHollow, .more = true};
+    if (wall_mm > kThickWallMm) return {.good = nearest->part, .next = PotPart::kWall};
     Advice advice{.good = nearest->part};
     if (std::fabs(farthest->by) < kNearEnough) return advice;
     // If all parts deviate alike, the advice is about size: the height, the first part.

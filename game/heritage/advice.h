@@ -8,8 +8,8 @@
 
 namespace onggi::heritage {
 
-enum class PotPart { kHeight, kBelly, kMouth, kFoot, kWall };
-constexpr int kPotPartCount = 5;
+enum class PotPart { kHeight, kBelly, kMouth, kFoot, kWall, kHollow };
+constexpr int kPotPartCount = 6;
 
 struct Advice {
     PotPart good = PotPart::kHeight;
@@ -17,8 +17,9 @@ struct Advice {
     bool more = false;              // direction for that part: taller, rounder, wider
 };
 
-// fraction: of the museum's size, if the pot was thrown to a size; empty: compares only proportions. Never
-// advises a thicker wall. Precondition: the pot has a height.
+// fraction: of the museum's size, if the pot was thrown to a size; empty: compares only proportions. A hollow
+// that was never opened and a thick wall come before the outline. Never advises a thicker wall. Precondition:
+// the pot has a height.
 [[nodiscard]] Advice advise(const PotForm& pot, const Target& target, std::optional<double> fraction);
 
 // Keys of the language files: "tip.good.belly", and "tip.next.mouth.more" or "tip.next.other".

@@ -147,15 +147,19 @@ Score score(const PotForm& pot, const Target& target, clay::ClayBody body) {
             {"mass_g", *pot.mass_g, scaled(target.mass_g, fraction * fraction * fraction)});
     }
 
+    result.profile_rms_mm = profile_rms_mm(pot, target, fraction);
+    for (const OutlinePoint& point : target.outline)
+        ++(point.published ? result.published_points : result.drawn_points);
+    return result;
+}
+
+double profile_rms_mm(const PotForm& pot, const Target& target, double fraction) {
     const PotForm drawn = form_of(target);
     const double squares = sum_over(pot, [&](std::size_t i, double /*y_mm*/) {
         const double difference = pot.radii_mm[i] - drawn.radii_mm[i] * fraction;
         return difference * difference;
     });
-    result.profile_rms_mm = std::sqrt(squares / static_cast<double>(pot.radii_mm.size()));
-    for (const OutlinePoint& point : target.outline)
-        ++(point.published ? result.published_points : result.drawn_points);
-    return result;
+    return std::sqrt(squares / static_cast<double>(pot.radii_mm.size()));
 }
 
 double unlikeness(const PotForm& a, const PotForm& b) {

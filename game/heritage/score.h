@@ -59,8 +59,6 @@ struct Measure {
 struct Score {
     ThrownSize size;
     std::vector<Measure> measures;
-    // Root mean square of the radius difference at 129 evenly spaced heights. The outline is published at its
-    // marked points; we drew the rest.
     double profile_rms_mm = 0.0;
     std::size_t published_points = 0;
     std::size_t drawn_points = 0;
@@ -68,6 +66,10 @@ struct Score {
     double mean_off_mm = 0.0;
 };
 Score score(const PotForm& pot, const Target& target, clay::ClayBody body);
+
+// Root mean square of the radius difference at kFormSamples evenly spaced heights, from the target at that
+// fraction of its size. The outline is published at its marked points; we drew the rest.
+double profile_rms_mm(const PotForm& pot, const Target& target, double fraction);
 
 // Difference of two outlines regardless of size: 0 equal, 1 nothing in common. The sine of the angle between
 // the vectors of their samples' radii and heights.

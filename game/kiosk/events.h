@@ -35,6 +35,7 @@ struct Soaked {};    // one turn of the sponge: water drops by one dot
 struct Progress {
     int steps_done = 0;     // of kTeachingSteps
     bool is_solid = false;  // the clay has no hollow
+    int thick_mm = 0;       // of a wall that another pull would do good; 0: it is thin enough
 };
 struct Warned {
     Warning warning = Warning::kNone;
@@ -82,6 +83,7 @@ struct FaultOver {};
 // An interrupted pot was found.
 struct InterruptedSession {
     std::optional<InterruptedJar> jar{};  // empty: an ordinary pot
+    InterruptedPot pot{};
 };
 struct CornerHeld {};  // the staff's corner was held long enough
 struct CloseAsked {};  // the window's close button, Esc, Alt+F4, Ctrl+Q, Ctrl+C

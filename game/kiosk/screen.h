@@ -50,6 +50,7 @@ enum class Button {
     kSpeedLess,
     kSpeedMore,
     kDone,
+    kToWheel,  // takes back the last "done"
     kHandUp,
     kHandDown,
     kHandLeft,  // all four are directions on the screen

@@ -38,6 +38,8 @@ constexpr int kMostVolume = 5;
 constexpr int kMostTextSize = 3;
 
 enum class Warning { kNone, kThin, kWet, kFast };
+// What "done" asks before the pot is cut off; pressed again, the pot is kept as it is.
+enum class DoneQuestion { kNone, kSolid, kThick };
 enum class FiringStage { kCut, kDry, kFire };
 
 // The steps of making a jar from two bowls, joined rim to rim. All but kAside and kJoin throw clay.
@@ -56,6 +58,13 @@ constexpr int kMostShiftMm = 8;
 struct InterruptedJar {
     JarStep step = JarStep::kNone;
     int target = 0;  // index of the heritage pot
+};
+
+// The choices of an interrupted visit, besides its clay and its decoration.
+struct InterruptedPot {
+    std::optional<int> target{};  // index of the heritage pot
+    int glaze = 0;
+    bool is_cut_off = false;
 };
 
 struct JarMaking {
@@ -81,8 +90,10 @@ struct Throwing {
     int tool = 2;
     int water = 3;
     int speed = 3;
-    bool is_solid = false;    // the clay has no hollow
-    bool asks_solid = false;  // the visitor pressed "done" on solid clay; pressed again, it is kept so
+    bool is_solid = false;  // the clay has no hollow
+    DoneQuestion asks = DoneQuestion::kNone;
+    int asked_mm = 0;          // the thickness in that question
+    bool asked_thick = false;  // once a lump is enough
     Warning warning = Warning::kNone;
     Warning collapse = Warning::kNone;  // cause of the collapse, for the failure screen
     JarMaking jar{};
@@ -205,13 +216,17 @@ struct State : ScreenState {
     double screen_s = 0.0;  // start of this screen
     double panel_s = 0.0;
     double input_s = 0.0;       // last input of any device
+    double works_s = 0.0;       // since when the program works for the visitor, or now if it does not
     double visit_s = 0.0;       // start of this visit
     double staff_used_s = 0.0;  // last use of the staff panel, for its timeout
     Pace pace;
+    int thick_mm = 0;  // of the wall on the wheel, if another pull would do it good; 0: it is thin enough
     PinGuard pin_guard;
     int house_volume = 3;                             // as house_language, for the volume
     bool interrupted_session = false;                 // an interrupted pot can be resumed
     std::optional<InterruptedJar> interrupted_jar{};  // empty: an ordinary pot
+    InterruptedPot interrupted_pot{};
+    bool was_cut_off = false;  // the resumed pot, which goes on to the kiln once it is on the wheel
 };
 
 }  // namespace onggi::kiosk

@@ -1,6 +1,7 @@
 #include "game/wheel/clay_look.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "game/finish/clay_body.h"
 
@@ -35,8 +36,12 @@ render::LatheMaterial clay_material(clay::ClayBody body, clay::Firing stage) {
     return material;
 }
 
-float darkness_of(float liquidity) {
-    return std::clamp(0.15F + 0.75F * liquidity, 0.0F, 1.0F);
+float gloss_of(float film) {
+    return std::sqrt(std::clamp(film, 0.0F, 1.0F));
+}
+
+float darkness_of(float liquidity, float film) {
+    return std::clamp(0.15F + 0.75F * liquidity + 0.45F * gloss_of(film), 0.0F, 1.0F);
 }
 
 vec3 section_colour(const render::LatheMaterial& material) {

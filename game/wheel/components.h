@@ -46,7 +46,9 @@ struct Clay {
     bool shows_load = false;
     bool is_cut_open = false;  // towards the camera
     float edge_rounding_mm = 0.0F;
-    std::vector<float> wetness{};  // how much water darkens each ring; of the last frame
+    // Of each ring in the last frame: how much water darkens it, and how much its film of water gleams.
+    std::vector<float> wetness{};
+    std::vector<float> film{};
 };
 
 // A pot other than the haptic loop's clay: set aside, dried, fired or turned over. Its pointers must stay
@@ -81,6 +83,11 @@ struct Shaved {
     double shaved_mm3 = 0.0;  // since the trimmer was picked up
     dvec3 from_mm{0.0};
     Shavings shavings{};
+};
+
+// Drops of slip that wet hands throw off.
+struct Splashed {
+    Splash splash{};
 };
 
 // A tool with a place on the bench.

@@ -26,16 +26,21 @@ dvec3 carried(const dvec3& at_mm, double turn_rad, double radius_mm) {
     return {radius_mm * std::cos(angle), at_mm.y, -radius_mm * std::sin(angle)};
 }
 
-}  // namespace
-
-double Shavings::any(double least, double most) {
-    return std::uniform_real_distribution<double>(least, most)(chance_);
+dvec3 wall_velocity_mm_s(const dvec3& at_mm, double wheel_speed_rad_s) {
+    return wheel_speed_rad_s * dvec3(at_mm.z, 0.0, -at_mm.x);
 }
+
+double between(double least, double most, std::minstd_rand& chance) {
+    return std::uniform_real_distribution<double>(least, most)(chance);
+}
+
+}  // namespace
 
 // A curl leaves along the blade: outwards, with part of the wall's velocity.
 Shavings::Curl Shavings::cut_off(const ShavingSight& sight) {
     const double side = std::signbit(sight.from_mm.x) ? -1.0 : 1.0;
-    const dvec3 wall_mm_s = sight.wheel_speed_rad_s * dvec3(sight.from_mm.z, 0.0, -sight.from_mm.x);
+    const dvec3 wall_mm_s = wall_velocity_mm_s(sight.from_mm, sight.wheel_speed_rad_s);
+    const auto any = [this](double least, double most) { return between(least, most, chance_); };
     return {.at_mm = sight.from_mm + dvec3(side * 4.0, any(-3.0, 3.0), any(-3.0, 5.0)),
             .velocity_mm_s = any(0.05, 0.25) * wall_mm_s +
                              dvec3(side * any(60.0, 260.0), any(-40.0, 260.0), any(-20.0, 160.0)),
@@ -58,8 +63,8 @@ void Shavings::follow(const ShavingSight& sight, double dt_s, bool moves_less) {
         curls_.push_back(cut_off(sight));
         if (!moves_less) continue;
         Curl& curl = curls_.back();
-        curl.at_mm =
-            carried(dvec3(1.0, kSlipMm + kHalfThickMm, 0.0), any(-3.1, 3.1), any(kHeadMm + 8.0, kPanMm));
+        curl.at_mm = carried(dvec3(1.0, kSlipMm + kHalfThickMm, 0.0), between(-3.1, 3.1, chance_),
+                             between(kHeadMm + 8.0, kPanMm, chance_));
         curl.stage = Stage::kInPan;
     }
     if (curls_.size() > kMost)
@@ -109,6 +114,38 @@ std::vector<mat4> Shavings::places() const {
         place = glm::rotate(place, curl.roll_rad, dvec3(1.0, 0.0, 0.0));
         places.emplace_back(glm::scale(place, dvec3(curl.size)));
     }
+    return places;
+}
+
+void Splash::follow(const SplashSight& sight, double dt_s, bool moves_less) {
+    constexpr double kUsualRadS = 4.0 * kPi;  // 120 rev/min
+    if (dt_s <= 0.0 || moves_less) return;
+    for (Drop& drop : drops_) {
+        drop.velocity_mm_s.y -= kGravityMmS2 * dt_s;
+        drop.at_mm += drop.velocity_mm_s * dt_s;
+    }
+    std::erase_if(drops_, [](const Drop& drop) {
+        return drop.at_mm.y < (out_mm(drop.at_mm) < kHeadMm ? 0.0 : kSlipMm);
+    });
+    const auto any = [this](double least, double most) { return between(least, most, chance_); };
+    const double speed = std::min(std::abs(sight.wheel_speed_rad_s) / kUsualRadS, 2.0);
+    // A stalled picture does not owe a shower.
+    owed_ = std::min(owed_ + kDropsPerS * sight.film * speed * dt_s, 4.0);
+    for (; owed_ >= 1.0; owed_ -= 1.0) {
+        const dvec3 outwards =
+            dvec3(sight.from_mm.x, 0.0, sight.from_mm.z) / std::max(out_mm(sight.from_mm), 1.0);
+        drops_.push_back(
+            {.at_mm = sight.from_mm + any(1.0, 4.0) * outwards,
+             .velocity_mm_s = any(0.4, 0.9) * wall_velocity_mm_s(sight.from_mm, sight.wheel_speed_rad_s) +
+                              any(80.0, 320.0) * outwards + dvec3(0.0, any(-60.0, 420.0), 0.0),
+             .size = any(0.5, 1.3)});
+    }
+}
+
+std::vector<mat4> Splash::places() const {
+    std::vector<mat4> places;
+    for (const Drop& drop : drops_)
+        places.emplace_back(glm::scale(glm::translate(dmat4(1.0), drop.at_mm), dvec3(drop.size)));
     return places;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <span>
 #include <string>
 #include <utility>
@@ -75,18 +76,35 @@ Result<render::PropModel> read_model(const std::filesystem::path& path) {
     return model;
 }
 
-render::PropModel wooden_ball() {
-    const render::Mesh sphere = render::sphere_mesh(36, 60);
+render::PropMesh ball_mesh(float radius_mm, int rings, int sectors) {
+    const render::Mesh sphere = render::sphere_mesh(rings, sectors);
     render::PropMesh mesh;
-    mesh.albedo = vec3(0.56F, 0.37F, 0.19F);
-    mesh.roughness = 0.28F;
     mesh.indices = sphere.indices;
     for (const render::Mesh::Vertex& vertex : sphere.vertices)
-        mesh.vertices.push_back({.position_mm = kBallRadiusMm * vertex.position_mm, .normal = vertex.normal});
+        mesh.vertices.push_back({.position_mm = radius_mm * vertex.position_mm, .normal = vertex.normal});
+    return mesh;
+}
+
+render::PropModel model_of(render::PropMesh mesh) {
     render::PropModel model;
     model.meshes.push_back(std::move(mesh));
     render::measure(model);
     return model;
+}
+
+render::PropModel wooden_ball() {
+    render::PropMesh mesh = ball_mesh(kBallRadiusMm, 36, 60);
+    mesh.albedo = vec3(0.56F, 0.37F, 0.19F);
+    mesh.roughness = 0.28F;
+    return model_of(std::move(mesh));
+}
+
+render::PropModel drop() {
+    constexpr float kRadiusMm = 1.6F;
+    render::PropMesh mesh = ball_mesh(kRadiusMm, 6, 8);
+    for (render::PropMesh::Vertex& vertex : mesh.vertices)
+        vertex.smear = 255;
+    return model_of(std::move(mesh));
 }
 
 // A ribbon of clay coiled twice, with both faces.
@@ -120,10 +138,82 @@ render::PropModel curl() {
             }
         }
     }
-    render::PropModel model;
-    model.meshes.push_back(std::move(mesh));
-    render::measure(model);
-    return model;
+    return model_of(std::move(mesh));
+}
+
+// A streak of slip on the wheel head. Angles counter-clockwise from above, rad.
+struct Streak {
+    float from_rad = 0.0F;
+    float turns_rad = 0.0F;
+    float from_mm = 0.0F;  // distance of its middle from the axis
+    float to_mm = 0.0F;
+    float wide_mm = 0.0F;
+    float high_mm = 0.0F;
+};
+
+// A bead with tapered ends and an uneven width: two edges on the metal and a crest between them.
+void add_streak(render::PropMesh& mesh, const Streak& streak) {
+    constexpr float kStepMm = 11.0F;
+    constexpr float kEdgeMm = 0.15F;  // above the head, so that the edges win over it in the depth test
+    constexpr int kThinEdge = 0;      // the head shows through
+    const float length_mm = 0.5F * (streak.from_mm + streak.to_mm) * std::abs(streak.turns_rad);
+    const auto steps = static_cast<std::uint32_t>(std::max(6.0F, length_mm / kStepMm));
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::uint32_t step = 0; step <= steps; ++step) {
+        const float along = static_cast<float>(step) / static_cast<float>(steps);
+        const float angle = streak.from_rad + streak.turns_rad * along;
+        // An ellipse's outline for a drop; a long streak is even but for its ends.
+        const float from_end_mm = length_mm * std::min(along, 1.0F - along);
+        const float to_end = std::min(from_end_mm / std::min(0.5F * length_mm, 30.0F), 1.0F);
+        const float taper = std::sqrt(to_end * (2.0F - to_end));
+        const float uneven = 1.0F + 0.35F * std::sin(9.0F * angle + streak.from_mm);
+        const float half_mm = 0.5F * streak.wide_mm * taper * uneven;
+        const vec3 out(std::cos(angle), 0.0F, -std::sin(angle));
+        for (const float side : {-1.0F, 0.0F, 1.0F}) {
+            const float radius_mm = glm::mix(streak.from_mm, streak.to_mm, along) + side * half_mm;
+            const float y_mm = side == 0.0F ? kEdgeMm + streak.high_mm * taper : kEdgeMm;
+            mesh.vertices.push_back({.position_mm = radius_mm * out + vec3(0.0F, y_mm, 0.0F),
+                                     .normal = glm::normalize(vec3(0.0F, 1.0F, 0.0F) + 0.25F * side * out),
+                                     .smear = static_cast<std::uint8_t>(side == 0.0F ? 255 : kThinEdge)});
+        }
+    }
+    for (std::uint32_t row = first; row < first + 3 * steps; row += 3) {
+        for (const std::uint32_t at : {row, row + 1}) {
+            // Seen from above, the next row lies counter-clockwise of this one, or clockwise of it.
+            const bool ahead = streak.turns_rad > 0.0F;
+            const std::uint32_t a = ahead ? at + 1 : at + 3;
+            const std::uint32_t b = ahead ? at + 3 : at + 1;
+            mesh.indices.insert(mesh.indices.end(), {at, a, b, at + 4, b, a});
+        }
+    }
+}
+
+// Slip on the wheel head: the spiral that a finger leaves that moves outwards, and drops that the turning
+// drew out.
+render::PropModel slip() {
+    constexpr int kDrops = 14;
+    constexpr float kNearMm = 78.0F;
+    constexpr float kFarMm = 142.0F;
+    std::minstd_rand chance(11);
+    const auto any = [&](float least, float most) {
+        return std::uniform_real_distribution<float>(least, most)(chance);
+    };
+    render::PropMesh mesh;
+    mesh.albedo = vec3(0.11F, 0.098F, 0.082F);  // of the photographed head
+    add_streak(
+        mesh,
+        {.turns_rad = -1.3F * kTurnF, .from_mm = kNearMm, .to_mm = 132.0F, .wide_mm = 7.0F, .high_mm = 0.9F});
+    for (int drop = 0; drop < kDrops; ++drop) {
+        const float radius_mm = any(kNearMm, kFarMm);
+        const float long_mm = any(2.0F, 6.0F) * any(2.0F, 5.0F);
+        add_streak(mesh, {.from_rad = any(0.0F, kTurnF),
+                          .turns_rad = -long_mm / radius_mm,
+                          .from_mm = radius_mm,
+                          .to_mm = std::min(radius_mm + 0.12F * long_mm, kFarMm),
+                          .wide_mm = any(3.0F, 9.0F),
+                          .high_mm = any(0.6F, 1.4F)});
+    }
+    return model_of(std::move(mesh));
 }
 
 }  // namespace
@@ -140,6 +230,8 @@ Result<std::shared_ptr<const render::PropLibrary>> load_tool_models(const std::f
         library->push_back(std::move(*model));
     }
     library->push_back(curl());
+    library->push_back(drop());
+    library->push_back(slip());
     for (std::size_t i = 0; i < kToolModels; ++i)
         library->push_back(mirrored((*library)[i]));
     return std::shared_ptr<const render::PropLibrary>(std::move(library));

@@ -24,11 +24,13 @@ enum class ToolModel : std::size_t {
     kStick,
     kWire,
     kCurl,  // a shaving, about its origin, its axis along X
+    kDrop,  // of slip, about its origin
+    kSlip,  // streaks and drops of slip on the wheel head, about the wheel's axis
     kCount,
 };
 constexpr std::size_t kToolModels = static_cast<std::size_t>(ToolModel::kCount);
-// The GLB files of the models between kBall and kCurl, which are built here.
-constexpr std::array<const char*, kToolModels - 2> kToolFiles{"hand_outer", "hand_inner", "rib", "sponge",
+// The GLB files of the models between kBall and kCurl; the others are built here.
+constexpr std::array<const char*, kToolModels - 4> kToolFiles{"hand_outer", "hand_inner", "rib", "sponge",
                                                               "trimmer",    "stick",      "wire"};
 constexpr float kBallRadiusMm = 10.0F;
 

@@ -267,7 +267,7 @@ void show_pot(ecs::Registry& registry, FrameContext& context) {
         // Dry clay contains no water, whatever its liquidity was when it was thrown.
         clay.wetness.resize(is_wet ? pot.liquidity.size() : 0);
         std::transform(pot.liquidity.begin(), pot.liquidity.begin() + std::ssize(clay.wetness),
-                       clay.wetness.begin(), darkness_of);
+                       pot.film.begin(), clay.wetness.begin(), darkness_of);
         seen.wetness = clay.wetness.empty() ? material.wetness : clay.wetness.back();
         seen.smear = material.albedo * (1.0F - 0.4F * seen.wetness);
         if (pot.outer_mm.empty()) return;
@@ -285,7 +285,11 @@ void show_pot(ecs::Registry& registry, FrameContext& context) {
             .material = material,
             .shows_load = clay.shows_load,
             .marks = seen.marks};
-        if (is_wet) lathe.film = pot.film;
+        if (is_wet) {
+            clay.film.resize(pot.film.size());
+            std::transform(pot.film.begin(), pot.film.end(), clay.film.begin(), gloss_of);
+            lathe.film = clay.film;
+        }
         if (clay.is_cut_open) {
             const vec3& eye = context.scene.camera.eye_mm;
             lathe.cut = render::LatheCut{.towards_rad = std::atan2(eye.x, eye.z),
@@ -300,6 +304,13 @@ void add_prop(FrameContext& context, ToolModel model, bool left, const mat4& pla
                                    .place = place,
                                    .smear = context.seen.smear,
                                    .wetness = context.seen.wetness});
+}
+
+// What lies on the wheel head turns with it; direction as in SeenPot.
+mat4 turned(const dvec2& direction) {
+    const vec2 turn(direction);
+    return {vec4(turn.x, 0.0F, -turn.y, 0.0F), vec4(0.0F, 1.0F, 0.0F, 0.0F), vec4(turn.y, 0.0F, turn.x, 0.0F),
+            vec4(0.0F, 0.0F, 0.0F, 1.0F)};
 }
 
 // The height of the wire while it is visible.
@@ -348,7 +359,31 @@ void show_hands(ecs::Registry& registry, FrameContext& context) {
     });
 }
 
-// Adds the tools on the bench, the shavings and the wire.
+// Adds the slip on the wheel head, and the drops that fly off wet hands at work.
+void show_slip(ecs::Registry& registry, FrameContext& context, bool moves_less) {
+    const SeenPot& seen = context.seen;
+    // Only thrown clay leaves slip: a pot apart is dry, or held over the clay.
+    const bool is_thrown = !seen.is_apart && seen.pot->stage == clay::Firing::kWet;
+    const auto add_slip = [&](ToolModel model, const mat4& place) {
+        constexpr float kWetter = 0.72F;  // slip is darker than the clay that it comes from
+        add_prop(context, model, false, place);
+        context.scene.props.back().smear *= kWetter;
+        context.scene.props.back().wetness = 1.0F;
+    };
+    if (is_thrown) add_slip(ToolModel::kSlip, turned(seen.direction));
+    const haptic::Snapshot& snapshot = *context.snapshot;
+    const bool touches = is_thrown && snapshot.result.forces.contacts > 0;
+    registry.each<Splashed>([&](ecs::Entity, Splashed& splashed) {
+        splashed.splash.follow({.film = touches ? snapshot.hand_film : 0.0,
+                                .from_mm = hands_of(snapshot)[0].position_mm,
+                                .wheel_speed_rad_s = snapshot.wheel_speed_rad_s},
+                               context.dt_s, moves_less);
+        for (const mat4& place : splashed.splash.places())
+            add_slip(ToolModel::kDrop, place);
+    });
+}
+
+// Adds the tools on the bench, slip, shavings and the wire.
 void show_tools(ecs::Registry& registry, FrameContext& context) {
     bool moves_less = false;
     registry.each<PhotographedRoom>(
@@ -362,6 +397,7 @@ void show_tools(ecs::Registry& registry, FrameContext& context) {
     bool has_tools = false;
     registry.each<ToolShelf>([&](ecs::Entity, const ToolShelf& shelf) { has_tools = shelf.has_tools(); });
     if (!has_tools) return;
+    show_slip(registry, context, moves_less);
     registry.each<BenchTool, Transform>([&](ecs::Entity, const BenchTool& tool, const Transform& transform) {
         if (tool.is_photographed || !tool.lies_there) return;
         add_prop(context, tool.model, false, placed(transform.position_mm, tool.yaw_rad, tool.lean_rad));
@@ -415,6 +451,7 @@ WheelScene::WheelScene(std::shared_ptr<const Workshop> workshop, RoomModel model
     hands_ = {make(Hand{}), make(Hand{.is_second = true})};
     wire_ = make(Wire{});
     shavings_ = make(Shaved{});
+    make(Splashed{});
     for (const LyingTool& lying : kLying)
         registry_.add(make(lying.tool), Transform{lying.at_mm});
     shelf_ = make(ToolShelf{ball_alone()});

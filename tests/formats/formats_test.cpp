@@ -13,6 +13,7 @@
 #include "game/app/kiosk/gallery/jar_keeping.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "game/app/kiosk/gallery/moving_house.h"
+#include "game/app/kiosk/gallery/visit_journal.h"
 #include "game/app/kiosk/gallery/wall_of_the_day.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/health/kiosk_status.h"
@@ -130,6 +131,17 @@ TEST(Jars, OfVersion1AreGoneOnWith) {
     app::JarKeeping written(other.path(), lump, {});
     ASSERT_TRUE(written.begin("moon-jar-nmk"));
     EXPECT_EQ(test::content_of(other / "jar.json"), test::content_of(sample("jar/1.json")));
+}
+
+TEST(VisitPlaces, OfVersion1AreReadAndWritten) {
+    const test::TemporaryFolder folder;
+    fs::copy_file(sample("place/1.json"), folder.path() / "place.json");
+    const auto place = app::read_place(folder.path());
+    ASSERT_TRUE(place) << place.error().message;
+    EXPECT_EQ(*place, (app::VisitPlace{.target = "moon-jar-nmk", .glaze = 3, .is_cut_off = true}));
+    const test::TemporaryFolder other;
+    ASSERT_TRUE(app::write_place(other.path(), *place));
+    EXPECT_EQ(test::content_of(other / "place.json"), test::content_of(sample("place/1.json")));
 }
 
 TEST(Walls, OfAllVersionsAreReadAndTheNewestIsWritten) {

@@ -42,8 +42,9 @@ void expect_alike(const asset::Image& vulkan, const asset::Image& cpu, int most_
 // The mean difference per channel.
 constexpr double kMostInTheMean = 0.6;
 constexpr int kOneInPixels = 150;  // may be farther apart than kTexelsApart
-// Exceptions by name: grooves as fine as a pixel, which the CPU draws with fewer rings, also after a rib.
-constexpr int kOneInPixelsOfGrooves = 110;
+// Exceptions by name: grooves as fine as a pixel, which the CPU draws with fewer rings, also after a rib. In
+// every scene one sample leaves the edges of the slip jagged that the CPU smooths.
+constexpr int kOneInPixelsOfGrooves = 100;
 int one_in_pixels(const GoldenScene& scene) {
     return scene.name == "rough-grooves" || scene.name == "rib" ? kOneInPixelsOfGrooves : kOneInPixels;
 }
@@ -55,7 +56,7 @@ double mean_apart(std::span<const std::uint8_t> a, std::span<const std::uint8_t>
     return sum / static_cast<double>(a.size());
 }
 
-constexpr double kMostOfStretching = 2.0;
+constexpr double kMostOfStretching = 2.1;  // the gleam of wet clay is a few pixels wide
 
 // One of each kind is enough: solid, hollow, dented and off its centre, looked into, with hands, cut open,
 // with its load, none, drawn on.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -313,6 +315,42 @@ TEST_F(HeldPicture, IsReadyUnderAScreenThatCoversIt) {
     for (int frame = 0; frame < 4; ++frame)
         ASSERT_TRUE(fresh->draw(lit, *other, nullptr).value() && other->wait());
     EXPECT_LE(furthest(shown->read_back().value(), other->read_back().value()), kMaskStep);
+}
+
+TEST_F(HeldPicture, ShowsThatTheWheelHeadTurns) {
+    constexpr int kVisibleLevels = 8;
+    constexpr double kHeadMm = 148.0;
+    constexpr double kInFrontMm = 75.0;  // here the pot hides nothing
+    GoldenScene shown = scene_named("stoneware-wet");
+    shown.tool_shown = false;
+    auto renders = renderer();
+    auto one = target();
+    std::vector<std::vector<std::uint8_t>> pictures;
+    render::Camera camera;
+    for (const double turn_rad : {0.0, kTurn / 20.0}) {
+        shown.wheel_direction = {std::cos(turn_rad), std::sin(turn_rad)};
+        const render::Scene scene = scene_of(shown);
+        camera = scene.camera;
+        ASSERT_TRUE(renders->draw(scene, *one).value());
+        pictures.push_back(one->read_back().value());
+    }
+    std::size_t head = 0;
+    std::size_t moved = 0;
+    for (int at = 0; at < kWidth * kHeight; ++at) {
+        const dvec2 pixel(at % kWidth + 0.5, at / kWidth + 0.5);
+        const render::Ray ray = render::ray_through(camera, kWidth, kHeight, pixel);
+        const dvec3 place_mm = ray.origin_mm - ray.direction * (ray.origin_mm.y / ray.direction.y);
+        if (place_mm.z < kInFrontMm || std::hypot(place_mm.x, place_mm.z) > kHeadMm) continue;
+        ++head;
+        int apart = 0;
+        for (int channel = 0; channel < 3; ++channel) {
+            const auto byte = static_cast<std::size_t>(4 * at + channel);
+            apart = std::max(apart, std::abs(int{pictures[0][byte]} - int{pictures[1][byte]}));
+        }
+        moved += apart >= kVisibleLevels ? 1U : 0U;
+    }
+    ASSERT_GT(head, 5'000U);
+    EXPECT_GE(moved * 100, head) << moved << " of " << head << " pixels differ";
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class Decorators : public testing::Test {
         std::mt19937 chance(24);
         ASSERT_TRUE(kiosk.begins_to_throw());
         ASSERT_TRUE(kiosk.throw_a_pot(chance));
-        ASSERT_TRUE(kiosk.press(Button::kDone));
+        ASSERT_TRUE(kiosk.ends_throwing());
         ASSERT_TRUE(kiosk.dries());
         ASSERT_TRUE(kiosk.press(Button::kTurning));  // it rests
         const pot::Pot& wet = *kiosk.snapshot().pot;
@@ -239,10 +239,7 @@ TEST_F(Decorators, FindTheirStrokesAfterAPowerCut) {
     again.touch();
     ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kResume; }, kSlowly));
     ASSERT_TRUE(again.press(Button::kResumeGo));
-    ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kThrow; }, kSlowly));
-    ASSERT_TRUE(again.until([&] { return again.snapshot().pot->height_mm > 65.0; }, kSlowly));
-    ASSERT_TRUE(again.press(Button::kDone));
-    ASSERT_TRUE(again.dries());
+    ASSERT_TRUE(again.dries()) << "it was cut off already";
     ASSERT_TRUE(again.until([&] { return again.state().decorating.strokes == 2; }, kSlowly))
         << again.state().decorating.strokes << " strokes";
     // Discarding the pot discards its decoration.
@@ -253,6 +250,44 @@ TEST_F(Decorators, FindTheirStrokesAfterAPowerCut) {
     ASSERT_TRUE(kiosk.until([&] { return kiosk.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; },
                             kSlowly));
     EXPECT_FALSE(fs::exists(folder.path() / "state" / "drawing"));
+}
+
+// The program dies in the moment in which the visitor keeps the pot.
+TEST_F(Decorators, FindDecorationAndGlazeAfterAPowerCutWhileThePotIsKept) {
+    ASSERT_TRUE(kiosk.press(Button::kDrawingTool, 1));
+    draw(between({at(-0.5, 0.2), at(0.4, 0.2)}));
+    ASSERT_TRUE(kiosk.press(Button::kDone));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.screen() == Screen::kGlaze; }, 0.1));
+    ASSERT_TRUE(kiosk.press(Button::kGlaze, 4));
+    ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kYourPot; }, kSlowly));
+    ASSERT_TRUE(kiosk.journal_catches_up());
+    const std::shared_ptr<const screens::FiredPot> before = kiosk.shown_view()->pot;
+    ASSERT_TRUE(before && before->shape.marks);
+    const test::TemporaryFolder after;
+    fs::copy(folder.path(), after.path(), fs::copy_options::recursive);
+    UnseenKiosk again(after.path());
+    ASSERT_TRUE(again.until([&] { return again.state().interrupted_session; }, kSlowly));
+    again.touch();
+    ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kResume; }, kSlowly));
+    EXPECT_TRUE(again.shown_view()->left_over) << "the pot itself, and no lump";
+    ASSERT_TRUE(again.press(Button::kResumeGo));
+    ASSERT_TRUE(again.dries()) << "the throwing is over";
+    ASSERT_TRUE(again.until([&] { return again.state().decorating.strokes == 1; }, kSlowly));
+    ASSERT_TRUE(again.press(Button::kDone));
+    ASSERT_TRUE(again.until([&] { return again.screen() == Screen::kGlaze; }, 0.1));
+    EXPECT_EQ(again.state().glaze, 4);
+    ASSERT_TRUE(again.press(Button::kTakeGlaze));
+    ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kYourPot; }, kSlowly));
+    const std::shared_ptr<const screens::FiredPot> found = again.shown_view()->pot;
+    ASSERT_TRUE(found && found->shape.marks);
+    EXPECT_EQ(found->shape.hash(), before->shape.hash()) << "outline and decoration";
+    EXPECT_EQ(found->weight_g, before->weight_g);
+    EXPECT_EQ(again.state().glaze, kiosk.state().glaze);
+    ASSERT_TRUE(again.press(Button::kKeep));
+    ASSERT_TRUE(again.until([&] { return again.state().keeping.outcome == kiosk::Keeping::Outcome::kKept; },
+                            kSlowly));
+    EXPECT_FALSE(fs::exists(after.path() / "state" / "place.json"));
 }
 
 TEST_F(Decorators, TakeTheGlazeOffAndDrawOn) {

@@ -51,5 +51,13 @@ TEST_F(SteadyScreen, StaysWithoutAVisibleChange) {
     }));
 }
 
+// However late the words are on a busy machine.
+TEST(AStartingKiosk, ShowsItsFirstPictureWithItsWords) {
+    const test::TemporaryFolder folder;
+    UnseenKiosk kiosk(folder.path());
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.frames_shown() > 0; }, kSlowly));
+    EXPECT_EQ(kiosk.shown_screen(), kiosk::Screen::kAttract);
+}
+
 }  // namespace
 }  // namespace onggi::app

@@ -22,7 +22,7 @@ class Trimming : public testing::Test {
         std::mt19937 thrower(24);
         ASSERT_TRUE(kiosk.begins_to_throw());
         ASSERT_TRUE(kiosk.throw_a_pot(thrower));
-        ASSERT_TRUE(kiosk.press(Button::kDone));
+        ASSERT_TRUE(kiosk.ends_throwing());
         ASSERT_TRUE(kiosk.until([&] { return kiosk.state().trimming.is_offered; }, kSlowly));
         ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kTrim; }, 0.1));
     }

@@ -270,6 +270,11 @@ bool UnseenKiosk::begins_to_throw() {
            until([&] { return shown_screen() == kiosk::Screen::kThrow; }, kSlowly);
 }
 
+bool UnseenKiosk::ends_throwing() {
+    if (!press(kiosk::Button::kDone)) return false;
+    return state().throwing.asks == kiosk::DoneQuestion::kNone || press(kiosk::Button::kDone);
+}
+
 bool UnseenKiosk::dries() {
     const auto is_dry = [&] {
         return shown_screen() == kiosk::Screen::kTrim || shown_screen() == kiosk::Screen::kDecorate;

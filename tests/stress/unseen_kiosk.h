@@ -102,6 +102,8 @@ class UnseenKiosk {
 
     // From the attract screen to clay on the wheel, without a museum's pot as a model.
     bool begins_to_throw();
+    // Cuts the pot off, also one whose walls are so thick that the kiosk asks first.
+    bool ends_throwing();
     // To the decorating screen; skips the trimming of a thick foot.
     bool dries();
     // From drying to the glazes, with a band of iron or undecorated. Returns false if it did not get there.

@@ -58,7 +58,7 @@ bool visit(UnseenKiosk& kiosk, std::mt19937& chance) {
         return false;
     }
     EXPECT_TRUE(kiosk.throw_a_pot(chance));
-    EXPECT_TRUE(kiosk.press(Button::kDone));
+    EXPECT_TRUE(kiosk.ends_throwing());
     EXPECT_TRUE(kiosk.fires_it(chance() % 2 == 0));
     EXPECT_TRUE(kiosk.press(Button::kGlaze, static_cast<int>(chance() % 6)));
     EXPECT_TRUE(kiosk.press(Button::kTakeGlaze));
@@ -90,7 +90,7 @@ void keep_a_pot(UnseenKiosk& kiosk, std::mt19937& chance) {
     ASSERT_TRUE(kiosk.press(Button::kFree));
     ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kThrow; }, kSlowly));
     ASSERT_TRUE(kiosk.throw_a_pot(chance));
-    ASSERT_TRUE(kiosk.press(Button::kDone));
+    ASSERT_TRUE(kiosk.ends_throwing());
     ASSERT_TRUE(kiosk.fires_it(true));
     ASSERT_TRUE(kiosk.press(Button::kTakeGlaze));
     ASSERT_TRUE(kiosk.press(Button::kKeep));

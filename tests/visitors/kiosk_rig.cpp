@@ -89,7 +89,7 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
             finger_.drag(place_at(news.at_px));
         }
         if (news.kind == Kind::kFingerUp) {
-            finger_.release();
+            finger_.lift();
             if (const auto tapped = bench_.lift())
                 dispatch(kiosk::event::Pressed{kiosk::Button::kTakeTool,
                                                static_cast<int>(visit::tray_place(*tapped))});

@@ -92,6 +92,8 @@ on_screen() {
 shot=0
 throwing=throw-0  # the layout's name: with one switch there are more targets
 [ "$hand" = switch ] && throwing=throw-scan-0
+asking=throw-thick
+[ "$hand" = switch ] && asking=throw-thick-scan
 decorating=decorate-0
 [ "$hand" = switch ] && decorating=decorate-scan
 
@@ -248,11 +250,15 @@ turn_the_foot() {
     fi
     on_screen decorate
 }
+is_asked() { [[ "$(title)" == "Onggi - throw"*", asks"* ]]; }
+has_answered_done() { is_asked || [[ "$(title)" == "Onggi - firing"* ]]; }
 # From the wheel to the shelf, where the result must be a pot; then ends the kiosk.
 keep_the_pot() {
     local top
     top=$(clay_mm)
     press $throwing done
+    wait_for "the kiln, or a question about thick walls" has_answered_done
+    if is_asked; then press "$asking" done; fi  # they stay so
     on_screen firing; turn_the_foot "$top"
     decorate_the_pot
     press $decorating done

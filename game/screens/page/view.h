@@ -51,6 +51,8 @@ struct FiredPot {
     // The museum's pot that was the target, or else the most similar one; may be null.
     std::shared_ptr<const Exhibit> relative{};
     bool is_after_relative = false;
+    // The score of a pot that was thrown after the relative: see heritage::profile_rms_mm().
+    std::optional<double> off_outline_mm{};
     std::string good_key{};  // keys of the texts beside it: a strength, and what to try next
     std::string next_key{};
     std::optional<double> off_round_mm{};  // set for a jar of two bowls, which has no good_key and next_key
@@ -120,6 +122,7 @@ struct View {
     std::shared_ptr<const std::vector<kiosk::Language>> languages;
     std::shared_ptr<const std::vector<Exhibit>> exhibits;
     std::shared_ptr<const FiredPot> pot;
+    std::shared_ptr<const pot::Section> left_over;  // the pot of an interrupted visit; null if unknown
     std::shared_ptr<const std::vector<ShelfPot>> shelf;
     // The wall of the day, oldest first. Null or not empty; unless null, shown in place of the throwing.
     std::shared_ptr<const std::vector<ShelfPot>> wall;

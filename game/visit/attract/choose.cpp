@@ -27,10 +27,9 @@ std::string size_of(const Page& page, const Exhibit& exhibit) {
     return page.measure(whole(exhibit.height_mm) + " \u00d7 " + whole(exhibit.diameter_mm), "unit.mm");
 }
 
-void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
+// Fits the words of a card into its size; the last line is the pot's size.
+FittedLines card_words(Page& page, const Choice& choice, vec2 card) {
     const bool free = choice.exhibit == nullptr;
-    page.card_target(card, free, free ? Button::kFree : Button::kTarget, free ? 0 : index - 1, choice.name);
-    const Rect inner{card.x + 11.0F, card.y + 11.0F, card.width - 22.0F, card.height - 18.0F};
     std::vector<Words> lines{
         {.text = choice.name, .type = design::bold(28.0F, 34.0F), .colour = design::kInk},
         {.text = choice.second, .colour = free ? design::kInk : design::kInk2},
@@ -43,10 +42,28 @@ void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     }
     lines.push_back({.text = choice.size, .type = design::bold(26.0F, 34.0F), .colour = design::kInk});
     std::erase_if(lines, [](const Words& words) { return words.text.empty(); });
-    FittedLines fitted = page.fitted(std::move(lines), {inner.width, inner.height - 8.0F});
+    return page.fitted(std::move(lines), {card.x - 22.0F, card.y - 26.0F});
+}
+
+// Writes what the pot was for, where a card has room for it.
+void add_use(Page& page, const Rect& rect, const Exhibit& exhibit) {
+    const auto language = static_cast<std::size_t>(page.view().state.comfort.language);
+    if (!exhibit.card || language >= exhibit.card->lines.size()) return;
+    const Words use{.text = exhibit.card->lines[language].front(), .colour = design::kInk2};
+    if (page.words_size(use, page.text_scale(), rect.width).height <= rect.height) page.words(rect, use);
+}
+
+void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
+    const bool free = choice.exhibit == nullptr;
+    page.card_target(card, free, free ? Button::kFree : Button::kTarget, free ? 0 : index - 1, choice.name);
+    const Rect inner{card.x + 11.0F, card.y + 11.0F, card.width - 22.0F, card.height - 18.0F};
+    FittedLines fitted = card_words(page, choice, {card.width, card.height});
     // The size is always the card's last line.
     if (choice.exhibit != nullptr) {
         const float room = fitted.heights.back();
+        const float used = fitted.height - room;
+        add_use(page, {inner.x, inner.y + used + 10.0F, inner.width, inner.height - used - room - 20.0F},
+                *choice.exhibit);
         page.fixed_words({inner.x, inner.bottom() - room, inner.width, room + 2.0F}, fitted.lines.back());
         fitted.lines.pop_back();
     }
@@ -82,23 +99,39 @@ struct ShownChoices {
     [[nodiscard]] const Choice& at(int place) const { return all[static_cast<std::size_t>(first + place)]; }
 };
 
+const pot::Section& shape_of(const Choice& choice) {
+    static const pot::Section lump = pot::fresh_lump();
+    return choice.exhibit == nullptr ? lump : choice.exhibit->shape;
+}
+
+// The largest scale, u/mm, at which each of the shown pots fits a box of that size.
+float shared_scale(const ShownChoices& shown, vec2 box) {
+    constexpr float kMost = 0.9F;
+    float scale = kMost;
+    for (int i = 0; i < shown.count; ++i) {
+        const pot::Section& shape = shape_of(shown.at(i));
+        scale = std::min({scale, box.x / (2.0F * shape.radius_mm()), box.y / (1.1F * shape.height_mm())});
+    }
+    return scale;
+}
+
 // Returns the pot's touch target, which is large enough even for a flat bowl.
 Rect choice_pot(Page& page, const Choice& choice, float scale, vec2 foot) {
     const bool free = choice.exhibit == nullptr;
-    const Rect rect =
-        page.pot(free ? pot::fresh_lump() : choice.exhibit->shape,
-                 free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale, foot);
+    const Rect rect = page.pot(
+        shape_of(choice), free ? finish::wet_clay() : finish::glaze_at(choice.exhibit->glaze), scale, foot);
     page.keep_clear(rect);
     const float wide = std::max(rect.width, design::kLeastTarget);
     const float high = std::max(rect.height, design::kLeastTarget);
     return {foot.x - 0.5F * wide, rect.bottom() - high, wide, high};
 }
 
-void choices_in_rows(Page& page, const ShownChoices& shown) {
+void choices_in_rows(Page& page, ShownChoices& shown) {
     const float width = page.width();
     const float top = 116.0F;
     const float step = std::min(shown.count < 4 ? 350.0F : 266.0F,
                                 (page.height() - top - 100.0F) / static_cast<float>(shown.count));
+    shown.scale = shared_scale(shown, {190.0F, step - 44.0F});
     for (int i = 0; i < shown.count; ++i) {
         const float y = top + step * static_cast<float>(i);
         const Rect shelf = page.mirrored({24.0F, y + step - 30.0F, 216.0F, 14.0F});
@@ -114,15 +147,24 @@ void choices_in_rows(Page& page, const ShownChoices& shown) {
     }
 }
 
-void choices_on_shelf(Page& page, const ShownChoices& shown) {
-    const float shelf_y = page.lower_by() + (page.is_tall()     ? 606.0F
+void choices_on_shelf(Page& page, ShownChoices& shown) {
+    const float least_y = page.lower_by() + (page.is_tall()     ? 606.0F
                                              : page.is_square() ? (page.is_low() ? 346.0F : 306.0F)
                                                                 : 340.0F);
-    const float card_top = shelf_y + 40.0F;
-    const float card_height = page.height() - card_top - 84.0F - (page.is_low() ? kAboutRoom : 0.0F);
+    const float bottom = page.height() - 84.0F - (page.is_low() ? kAboutRoom : 0.0F);
     const float gap = 10.0F;
     const float card_width =
         (page.width() - 48.0F - gap * static_cast<float>(shown.count - 1)) / static_cast<float>(shown.count);
+    // The cards are as high as the longest needs, and the pots have the rest.
+    const float most_height = bottom - least_y - 40.0F;
+    float card_height = 0.0F;
+    for (int i = 0; i < shown.count; ++i) {
+        const float needed = card_words(page, shown.at(i), {card_width, most_height}).height + 34.0F;
+        card_height = std::clamp(needed, card_height, most_height);
+    }
+    const float card_top = bottom - card_height;
+    const float shelf_y = card_top - 40.0F;
+    shown.scale = shared_scale(shown, {card_width - 2.0F * kAboutRoom, shelf_y - 96.0F});
     page.shelf(shelf_y, 30.0F);
     for (int i = 0; i < shown.count; ++i) {
         const Rect card = page.mirrored(
@@ -193,7 +235,6 @@ void draw_choose(Page& page) {
     const int all = static_cast<int>(shown.all.size());
     shown.count = std::min(all, is_narrow ? 3 : 4);
     shown.first = std::clamp(page.view().state.shelf_first, 0, all - shown.count);
-    shown.scale = in_rows ? 0.52F : 0.58F;
     if (in_rows) {
         choices_in_rows(page, shown);
     } else {

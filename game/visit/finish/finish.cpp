@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "game/visit/finish/finish.h"
 #include "game/visit/flow/turn.h"
@@ -87,12 +88,6 @@ void kiln(Page& page, vec2 floor, float scale) {
     page.sprite(field, std::move(sketch));
 }
 
-float fitting_scale(const pot::Section& shape, float box_width, float box_height) {
-    const float across = 2.0F * std::max(1.0F, shape.radius_mm());
-    const float up = std::max(1.0F, shape.height_mm()) + 0.24F * shape.radius_mm();
-    return std::min((box_width - 16.0F) / across, (box_height - 16.0F) / up);
-}
-
 // The layout of the glaze screen's words and tokens, before mirroring.
 struct GlazePlaces {
     Rect line;
@@ -145,6 +140,19 @@ void glaze_words(Page& page, const GlazePlaces& places, const finish::GlazeMater
     words.text = page.t("glz.hides");
     words.type = words.type.bold_if(true);
     page.words(page.mirrored(places.hides), words);
+}
+
+// The note on shrinking is true of the drying alone; in the kiln the sound may have a caption there.
+void add_firing_note(Page& page, const Rect& rect) {
+    const FiringStage stage = page.view().state.firing;
+    const std::string_view note = stage == FiringStage::kDry    ? "fin.note"
+                                  : stage == FiringStage::kFire ? std::string_view(page.view().heard)
+                                                                : std::string_view();
+    if (note.empty()) return;
+    page.words(rect, {.text = page.t(note),
+                      .type = design::kLabel,
+                      .colour = ui::hex(0xdcc7ac),
+                      .align = ui::Align::kCentre});
 }
 
 void draw_firing(Page& page) {
@@ -203,14 +211,8 @@ void draw_firing(Page& page) {
             page.sprite({place.centre().x - 80.0F, place.y + 52.0F, 160.0F, 6.0F}, std::move(bar));
         }
     }
-    // In the kiln the sound's caption replaces the note on shrinking.
-    const bool is_heard = stage == FiringStage::kFire && !view.heard.empty();
-    page.words(tall ? Rect{33.0F, words_y + 72.0F, width - 66.0F, 72.0F}
-                    : page.mirrored({left, words_y + 64.0F, 3.0F * column - 10.0F, 36.0F}),
-               {.text = page.t(is_heard ? view.heard : "fin.note"),
-                .type = design::kLabel,
-                .colour = ui::hex(0xdcc7ac),
-                .align = ui::Align::kCentre});
+    add_firing_note(page, tall ? Rect{33.0F, words_y + 72.0F, width - 66.0F, 72.0F}
+                               : page.mirrored({left, words_y + 64.0F, 3.0F * column - 10.0F, 36.0F}));
     const float button = 180.0F;
     page.token(tall ? Rect{0.5F * (width - 280.0F), height - 130.0F, 280.0F, 80.0F}
                     : page.mirrored({width - 32.0F - button, words_y - 4.0F, button, 66.0F}),
@@ -343,6 +345,12 @@ std::string_view spoken_of_glazes(const State& /*state*/) {
 bool kiln_burns(const State& state) {
     return state.screen == Screen::kFiring && state.firing == FiringStage::kFire &&
            state.panel == Panel::kNone;
+}
+
+float fitting_scale(const pot::Section& shape, float box_width, float box_height) {
+    const float across = 2.0F * std::max(1.0F, shape.radius_mm());
+    const float up = std::max(1.0F, shape.height_mm()) + 0.24F * shape.radius_mm();
+    return std::min((box_width - 16.0F) / across, (box_height - 16.0F) / up);
 }
 
 extern constinit const Step kFiringStep{.screen = Screen::kFiring,

@@ -1,4 +1,4 @@
-// Firing: what other steps of a visit use. Any thread.
+// Firing: what its files and other steps of a visit use. Any thread.
 #pragma once
 
 #include "game/visit/flow/step.h"
@@ -7,5 +7,8 @@ namespace onggi::visit {
 
 // Whether the screen shows the glaze firing.
 [[nodiscard]] bool kiln_burns(const State& state);
+
+// The scale, u per mm, at which the picture of a pot on a shelf fits a box.
+[[nodiscard]] float fitting_scale(const pot::Section& shape, float box_width, float box_height);
 
 }  // namespace onggi::visit

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "game/visit/finish/finish.h"
 #include "game/visit/flow/turn.h"
 
 namespace onggi::visit {
@@ -92,9 +93,57 @@ std::string roundness_words(const Page& page, double off_round_mm) {
            page.t("moon.done.line");
 }
 
+// Where the visitor's pot and the museum's stand, on a left-to-right screen. u, and u per mm.
+struct Stands {
+    float own_x = 0.0F;
+    float own_scale = 0.0F;
+    float other_x = 0.0F;
+    float other_scale = 0.0F;
+};
+
+// The visitor's pot is as large as the stage allows, and the museum's has the rest. At one scale a small pot
+// would be a speck beside a large vat, so they have one scale only where the museum's is the smaller picture.
+Stands stands_of(const FiredPot& pot, float stage_width, float foot_y) {
+    constexpr float kLeft = 62.0F;  // of the bracket
+    constexpr float kBetween = 14.0F;
+    constexpr float kTitleBottom = 84.0F;
+    constexpr float kLeastOther = 128.0F;
+    constexpr float kOfHeight = 0.62F;
+    constexpr float kOfOwn = 0.75F;
+    constexpr float kAnyWidth = 1.0e6F;
+    const Exhibit* const relative = pot.relative.get();
+    const float room = stage_width - 100.0F;
+    const float high = foot_y - kTitleBottom;
+    const float wide = 2.0F * pot.shape.radius_mm() * fitting_scale(pot.shape, kAnyWidth, high) + 16.0F;
+    const float own_box = relative == nullptr ? room : std::clamp(wide, 0.45F * room, room - kLeastOther);
+    Stands stands{.own_x = kLeft + 0.5F * own_box, .own_scale = fitting_scale(pot.shape, own_box, high)};
+    if (relative == nullptr) return stands;
+    const float own_size = stands.own_scale * std::max(pot.shape.height_mm(), 2.0F * pot.shape.radius_mm());
+    const float other_box = room - own_box;
+    const float fitting =
+        fitting_scale(relative->shape, other_box, std::min(kOfHeight * high, kOfOwn * own_size));
+    stands.other_scale = std::min(fitting, stands.own_scale);
+    stands.other_x = kLeft + own_box + kBetween + 0.5F * other_box;
+    return stands;
+}
+
+// How tall the museum's pot really is, where the two are not drawn at one scale.
+std::string scale_words(const Page& page, const FiredPot& pot, const Stands& stands) {
+    if (stands.other_scale == stands.own_scale) return page.t("your.scale");
+    const double ratio = pot.relative->height_mm / std::max(1.0, pot.height_mm);
+    return page.t("your.size", page.digits(fmt::format("{:.1f}", ratio)));
+}
+
+// The score against the museum's pot that the visitor chose, or the date of the one that resembles the pot.
+std::string second_line(const Page& page, const FiredPot& pot) {
+    return pot.off_outline_mm ? page.t("your.off", page.whole_mm(*pot.off_outline_mm))
+                              : page.t(pot.relative->date_key);
+}
+
 // Writes the name of the related museum pot and, below it, one strength of the visitor's pot and what to try
 // next. With low controls, the token for the museum pot's card is beside the languages' token.
-void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& languages) {
+void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Stands& stands,
+                const Rect& languages) {
     constexpr float kSide = 64.0F;
     constexpr float kGap = 14.0F;
     const Exhibit& exhibit = *pot.relative;
@@ -102,8 +151,8 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& l
     const float about = exhibit.card && !page.is_low() ? kSide + kGap : 0.0F;
     const std::string text = page.t(pot.is_after_relative ? "your.after" : "your.near") +
                              (page.language().code() == "ko" ? ": " : " ") + page.t(exhibit.name_key) +
-                             (is_jar ? "" : "\n" + page.t(exhibit.date_key)) +
-                             (is_jar && page.is_low() ? "" : "\n" + page.t("your.scale"));
+                             (is_jar ? "" : "\n" + second_line(page, pot)) +
+                             (is_jar && page.is_low() ? "" : "\n" + scale_words(page, pot, stands));
     const bool rtl = page.right_to_left();
     // The first text has room for three lines of five. A jar's has two lines, or one with low controls, and
     // leaves the rest to the text on roundness.
@@ -127,6 +176,38 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Rect& l
                 .colour = design::kSlip});
 }
 
+// Stands both pots on the shelf, with their names below it.
+void stand_pots(Page& page, const Stands& stands, float stage_width, float foot_y) {
+    const FiredPot& pot = *page.view().pot;
+    page.keep_clear(page.turning_pot(pot.shape, finish::glaze_at(page.view().state.glaze), stands.own_scale,
+                                     {page.mirrored(stands.own_x), foot_y}));
+    const float height = pot.shape.height_mm() * stands.own_scale;
+    if (const double off_round_mm = pot.off_round_mm.value_or(0.0); off_round_mm >= kRoundMm) {
+        const float radius_mm = pot.shape.radius_mm() - 0.5F * static_cast<float>(off_round_mm);
+        true_circle(page, {page.mirrored(stands.own_x), foot_y - 0.5F * height},
+                    radius_mm * stands.own_scale);
+    }
+    height_bracket(page, page.mirrored(42.0F), foot_y - 1.0F, height);
+    constexpr float kNameWidth = 160.0F;
+    const float names_y = foot_y + 26.0F;
+    page.words(page.mirrored({stands.own_x - 0.5F * kNameWidth, names_y, kNameWidth, 74.0F}),
+               {.text = page.t("your.title") + "\n" + page.whole_mm(pot.height_mm),
+                .type = {27.0F, 34.0F},
+                .align = ui::Align::kCentre});
+    const Exhibit* const relative = pot.relative.get();
+    if (relative == nullptr) return;
+    constexpr float kDimmer = 0.86F;
+    page.keep_clear(page.pot(relative->shape, finish::glaze_at(relative->glaze), stands.other_scale,
+                             {page.mirrored(stands.other_x), foot_y}, kDimmer));
+    const float name_x = stands.own_x + 0.5F * kNameWidth + 12.0F;
+    page.words(
+        page.mirrored({name_x, names_y, stage_width - 16.0F - name_x, page.is_square() ? 170.0F : 106.0F}),
+        {.text = page.t(relative->name_key) + " \u00b7 " + page.whole_mm(relative->height_mm) + "\n" +
+                 page.t(relative->museum_key),
+         .type = design::kNote,
+         .align = ui::Align::kCentre});
+}
+
 void draw_your_pot(Page& page) {
     const View& view = page.view();
     const float width = page.width();
@@ -136,8 +217,11 @@ void draw_your_pot(Page& page) {
     const float raised = page.is_low() ? 78.0F : 0.0F;  // room for the languages' token
     const float shelf_y = tall ? 590.0F - raised : 546.0F;
     const float foot_y = shelf_y + 14.0F;
-    const Rect stage = page.mirrored({0.0F, 0.0F, page.by_shape(760.0F, 560.0F, width), shelf_y});
-    page.museum({stage.centre().x, 0.42F * height}, {0.44F * width, 0.62F * height}, 0.30F);
+    const float stage_width = page.by_shape(760.0F, 560.0F, width);
+    const Stands stands = view.pot ? stands_of(*view.pot, stage_width, foot_y) : Stands{};
+    // The light is on the visitor's pot.
+    page.museum({page.mirrored(stands.own_x), shelf_y - 230.0F},
+                tall ? vec2(0.62F * width, 0.3F * height) : vec2(0.38F * width, 0.62F * height), 0.42F);
     page.shelf(shelf_y, 34.0F);
     page.down({0.0F, shelf_y + 34.0F, width, height - shelf_y - 34.0F}, ui::hex(0x150e09), ui::hex(0x231912));
     const bool is_off_round = view.pot && view.pot->off_round_mm.value_or(0.0) >= kRoundMm;
@@ -148,54 +232,19 @@ void draw_your_pot(Page& page) {
          60.0F});
     if (!view.pot) return;
 
-    const Exhibit* const relative = view.pot->relative.get();
-    const float own_box = relative == nullptr ? stage.width - 100.0F : page.by_shape(230.0F, 190.0F, 250.0F);
-    const float other_box = stage.width - own_box - 100.0F;
-    float scale = std::min((own_box - 12.0F) / (2.0F * view.pot->shape.radius_mm()),
-                           (foot_y - 108.0F) / (view.pot->shape.height_mm() * 1.12F));
-    if (relative != nullptr) {
-        scale = std::min({scale, (other_box - 12.0F) / (2.0F * relative->shape.radius_mm()),
-                          (foot_y - 108.0F) / (relative->shape.height_mm() * 1.1F)});
-    }
-    scale = std::min(scale, 2.2F);
-    const float own_x = 62.0F + 0.5F * own_box;
-    page.keep_clear(page.turning_pot(view.pot->shape, finish::glaze_at(view.state.glaze), scale,
-                                     {page.mirrored(own_x), foot_y}));
-    if (is_off_round) {
-        const float radius_mm =
-            view.pot->shape.radius_mm() - 0.5F * static_cast<float>(*view.pot->off_round_mm);
-        true_circle(page, {page.mirrored(own_x), foot_y - 0.5F * view.pot->shape.height_mm() * scale},
-                    radius_mm * scale);
-    }
-    height_bracket(page, page.mirrored(42.0F), foot_y - 1.0F, view.pot->shape.height_mm() * scale);
-    const float names_y = shelf_y + 40.0F;
-    const Rect own_name =
-        page.mirrored({own_x - 116.0F < 24.0F ? 24.0F : own_x - 116.0F, names_y, 232.0F, 74.0F});
-    page.words(own_name, {.text = page.t("your.title") + "\n" + page.whole_mm(view.pot->height_mm),
-                          .type = {27.0F, 34.0F},
-                          .align = ui::Align::kCentre});
-    if (relative != nullptr) {
-        const float x = 62.0F + own_box + 14.0F + 0.5F * other_box;
-        page.keep_clear(page.turning_pot(relative->shape, finish::glaze_at(relative->glaze), scale,
-                                         {page.mirrored(x), foot_y}));
-        const float name_width = std::min(other_box + 40.0F, 400.0F);
-        page.words(page.mirrored({x - 0.5F * name_width, names_y, name_width, 106.0F}),
-                   {.text = page.t(relative->name_key) + " \u00b7 " + page.whole_mm(relative->height_mm) +
-                            "\n" + page.t(relative->museum_key),
-                    .type = design::kNote,
-                    .align = ui::Align::kCentre});
-    }
-    const float card_x = tall ? 40.0F : stage.width + 10.0F;
+    stand_pots(page, stands, stage_width, foot_y);
+    const bool is_related = view.pot->relative != nullptr;
+    const float card_x = tall ? 40.0F : stage_width + 10.0F;
     const float card_width = tall ? width - 80.0F : width - 32.0F - card_x;
-    const float card_height = relative == nullptr ? 320.0F : square && !page.is_low() ? 272.0F : 222.0F;
+    const float card_height = !is_related ? 320.0F : square && !page.is_low() ? 272.0F : 222.0F;
     const Rect card = page.mirrored({card_x, (tall ? 740.0F : 118.0F) - raised, card_width, card_height});
     measures_card(page, card);
     const float y = tall ? height - 110.0F : height - 108.0F;
-    if (relative != nullptr) {
+    if (is_related) {
         const float top = card.bottom() + 12.0F;
         const float bottom = page.is_low() ? languages.y : y;
         near_words(page, page.mirrored({card_x + 6.0F, top, card_width - 6.0F, bottom - 4.0F - top}),
-                   *view.pot, languages);
+                   *view.pot, stands, languages);
     }
     const float left_width = 0.46F * card_width;
     page.token(page.mirrored({card_x, y, left_width, 76.0F}), Look::kOutline, Button::kOtherGlaze,

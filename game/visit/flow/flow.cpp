@@ -56,6 +56,8 @@ void Turn::begin_visit() {
 
 void Turn::put_on_clay(std::optional<int> target) {
     state.throwing = Throwing{.target = target};
+    state.thick_mm = 0;
+    state.was_cut_off = false;
     state.pace = {.progress_s = now_s};
     add(effect::ForgetPot{});
     add(effect::FreshClay{target});
@@ -81,6 +83,7 @@ void Turn::end_visit() {
     state.comfort.language = state.house_language = before.house_language;
     state.force_rests = before.force_rests;
     state.interrupted_jar = before.interrupted_jar;
+    state.interrupted_pot = before.interrupted_pot;
     state.interrupted_session = before.interrupted_session;  // until a visitor accepts or declines it
     add(effect::ForgetPot{});
     add(effect::SetVolume{state.house_volume});
@@ -95,6 +98,10 @@ void pass_time(Turn& turn) {
     if (const auto tick = step_of(state.screen).tick) tick(turn);
     const Step& step = step_of(state.screen);  // the tick may have changed the screen
     if (step.whose != Whose::kVisitor) return;
+    // A work that never ends must not keep the kiosk from the next visitor.
+    if (step.works == nullptr || !step.works(state)) state.works_s = turn.now_s;
+    if (state.works_s < turn.now_s && turn.now_s - state.works_s < turn.rules.works_most_s)
+        state.input_s = turn.now_s;
     const bool makes_jar = step.has_wet_clay && state.throwing.jar.step != JarStep::kNone;
     const double idle_s = makes_jar ? turn.rules.jar_idle_s : turn.rules.idle_s;
     if (turn.now_s - state.input_s >= idle_s) turn.lay_over(Panel::kIdle);
@@ -174,6 +181,7 @@ struct Taking {
     void operator()(const event::InterruptedSession& found) {
         state.interrupted_session = true;
         state.interrupted_jar = found.jar;
+        state.interrupted_pot = found.pot;
     }
     void operator()(const event::CornerHeld& /*held*/) { ask_for_pin(turn); }
     void operator()(const event::CloseAsked& /*asked*/) {

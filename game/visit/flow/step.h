@@ -56,6 +56,8 @@ struct Step {
     // the events that Taking (flow.cpp) does not handle
     void (*take)(Turn& turn, const Event& event) = nullptr;
     void (*tick)(Turn& turn) = nullptr;
+    // Whether the program works for a visitor who can only wait; meanwhile the idle timeout stands still.
+    bool (*works)(const State& state) = nullptr;
     // Picture and speech. spoken() returns the key of a line.
     void (*draw)(Page& page) = nullptr;
     std::string_view (*spoken)(const State& state) = nullptr;

@@ -355,6 +355,10 @@ void press_keep(Turn& turn, const event::Pressed& event) {
     }
 }
 
+bool is_at_work(const State& state) {
+    return state.keeping.outcome == Keeping::Outcome::kSaving || state.keeping.phone == Phone::kPacking;
+}
+
 std::string_view phone_key(Phone phone) {
     switch (phone) {
         case Phone::kNone:
@@ -393,6 +397,7 @@ extern constinit const Step kKeepStep{.screen = Screen::kKeep,
                                       .enter = enter_keep,
                                       .press = press_keep,
                                       .take = take_keep,
+                                      .works = is_at_work,
                                       .draw = draw_keep,
                                       .spoken = spoken_while_keeping};
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "game/visit/flow/turn.h"
 #include "game/visit/jar/jar.h"
@@ -169,12 +170,13 @@ void draw_resume(Page& page) {
     const float width = page.width();
     const float height = page.height();
     const bool tall = page.is_tall();
-    // A drawn lump stands for the interrupted pot: the clay goes on the wheel only if the visitor accepts.
+    // The interrupted pot is drawn: the clay goes on the wheel only if the visitor accepts.
     page.museum({0.5F * width, 0.45F * height}, {0.5F * width, 0.55F * height}, 0.18F);
     const float shelf_y = tall ? 820.0F : height - 206.0F;
     page.shelf(shelf_y, 30.0F);
-    page.keep_clear(
-        page.pot(pot::fresh_lump(), finish::wet_clay(), tall ? 2.2F : 1.6F, {0.5F * width, shelf_y + 9.0F}));
+    const pot::Section left = page.view().left_over ? *page.view().left_over : pot::fresh_lump();
+    const float scale = std::min(tall ? 2.2F : 1.6F, (shelf_y - (tall ? 410.0F : 230.0F)) / left.height_mm());
+    page.keep_clear(page.pot(left, finish::wet_clay(), scale, {0.5F * width, shelf_y + 9.0F}));
     page.words(
         {60.0F, tall ? 250.0F : 70.0F, width - 120.0F, 160.0F},
         {.text = page.t("resume.title"), .type = design::serif(50.0F, 68.0F), .align = ui::Align::kCentre});
@@ -231,7 +233,10 @@ void draw_fault(Page& page) {
 void press_resume(Turn& turn, const event::Pressed& event) {
     if (event.button == Button::kResumeGo) {
         turn.state.interrupted_session = false;
-        turn.state.throwing = {};
+        const InterruptedPot pot = std::exchange(turn.state.interrupted_pot, {});
+        turn.state.throwing = {.target = pot.target};
+        turn.state.glaze = std::clamp(pot.glaze, 0, turn.rules.glaze_count - 1);
+        turn.state.was_cut_off = pot.is_cut_off;
         turn.state.pace = {.progress_s = turn.now_s};
         turn.add(effect::Resume{});
         turn.show(Screen::kThrow);

@@ -62,11 +62,20 @@ void pass_show(Turn& turn) {
     if (is_wanted && (is_stuck || (rests && now_s - pace.progress_s >= rules.show_after_s))) begin_show(turn);
 }
 
+// A wall that is about to sink somewhere is not drawn any higher.
+DoneQuestion question_of(const State& state) {
+    const Throwing& throwing = state.throwing;
+    if (throwing.is_solid) return DoneQuestion::kSolid;
+    const bool is_thick = state.thick_mm > 0 && throwing.warning == Warning::kNone;
+    return is_thick && !throwing.asked_thick && throwing.jar.step == JarStep::kNone ? DoneQuestion::kThick
+                                                                                    : DoneQuestion::kNone;
+}
+
 void press_throw(Turn& turn, const event::Pressed& event) {
     Throwing& throwing = turn.state.throwing;
     const bool was_shown = throwing.shown.has_value();
     if (event.button != Button::kLookIn) end_show(turn);  // any other button ends the demonstration
-    const bool asked_solid = std::exchange(throwing.asks_solid, false);
+    const DoneQuestion asked = std::exchange(throwing.asks, DoneQuestion::kNone);
     if (press_jar(turn, event)) return;
     switch (event.button) {
         case Button::kShowMe:
@@ -110,10 +119,12 @@ void press_throw(Turn& turn, const event::Pressed& event) {
             throwing.looks_in = !throwing.looks_in;
             break;
         case Button::kDone:
-            if (throwing.is_solid && !asked_solid) {
-                throwing.asks_solid = true;
-            } else {
+            throwing.asks = asked == DoneQuestion::kNone ? question_of(turn.state) : DoneQuestion::kNone;
+            if (throwing.asks == DoneQuestion::kNone) {
                 finish_throwing(turn);
+            } else if (throwing.asks == DoneQuestion::kThick) {
+                throwing.asked_thick = true;
+                throwing.asked_mm = turn.state.thick_mm;
             }
             break;
         default:
@@ -126,7 +137,7 @@ void touch_clay(Turn& turn, bool goes_on) {
     State& state = turn.state;
     end_show(turn);
     end_aside(turn);
-    state.throwing.asks_solid = false;
+    state.throwing.asks = DoneQuestion::kNone;
     // Work by guided hands that a key started some time ago does not close cards opened since.
     if (!goes_on) state.throwing.tray = state.throwing.jar.is_low = state.throwing.jar.rims_apart = false;
     state.throwing.jar.touched = state.throwing.jar.step != JarStep::kNone;
@@ -149,7 +160,9 @@ struct ThrowTaking {
     void operator()(const event::ShowOver& /*over*/) { end_show(turn); }
     void operator()(const event::Soaked& /*soaked*/) { throwing.water = std::max(1, throwing.water - 1); }
     void operator()(const event::Progress& progress) {
+        if (std::exchange(turn.state.was_cut_off, false)) return finish_throwing(turn);
         throwing.is_solid = progress.is_solid;
+        turn.state.thick_mm = progress.thick_mm;
         if (progress.steps_done <= throwing.steps_done) return;
         throwing.steps_done = std::min(progress.steps_done, kTeachingSteps);
         turn.state.pace.progress_s = turn.now_s;
@@ -195,7 +208,7 @@ std::string_view spoken_while_throwing(const State& state) {
     if (state.throwing.warning != Warning::kNone) return warning_key(state.throwing.warning);
     if (state.throwing.shown) return "show.on";
     if (state.throwing.tray) return "tool.title";
-    if (state.throwing.asks_solid) return "solid.ask";
+    if (state.throwing.asks != DoneQuestion::kNone) return question_key(state.throwing.asks);
     if (state.throwing.jar.is_low) return "moon.low";
     if (state.throwing.jar.rims_apart) return "moon.more";
     if (state.throwing.jar.step == JarStep::kAside) return "moon.s2";
@@ -216,7 +229,7 @@ std::string title_of_throwing(const TitleFacts& facts) {
     for (const std::string_view more :
          {tray_tool(throwing.held).title, std::string_view(throwing.tray ? "tools" : ""),
           std::string_view(throwing.shown ? "shown" : ""),
-          std::string_view(throwing.asks_solid ? "asks" : "")})
+          std::string_view(throwing.asks != DoneQuestion::kNone ? "asks" : "")})
         if (!more.empty()) title += ", " + std::string(more);
     return title;
 }

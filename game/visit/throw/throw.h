@@ -38,6 +38,11 @@ constexpr std::array kTray{
     return kTray[tray_place(held)];
 }
 
+// The key of the question's words. Precondition: it is one.
+[[nodiscard]] constexpr std::string_view question_key(DoneQuestion question) {
+    return question == DoneQuestion::kSolid ? "solid.ask" : "thick.ask";
+}
+
 // Returns whether the cue for the next move is visible now.
 [[nodiscard]] bool shows_hint(const State& state, double now_s, const Rules& rules);
 

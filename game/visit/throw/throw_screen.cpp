@@ -424,6 +424,35 @@ void add_wire_ledge(Page& page) {
     }
 }
 
+// Asks whether the pot is really done. "Done" stays in its place, for whoever presses it again.
+void add_question_ledge(Page& page) {
+    const Throwing& throwing = page.view().state.throwing;
+    const std::string question =
+        page.t(question_key(throwing.asks), page.whole_mm(static_cast<double>(throwing.asked_mm)));
+    const float width = page.width();
+    const float top = ledge_top(page);
+    const float y = row_y(page);
+    const auto tokens = [&](const Rect& back, const Rect& done) {
+        page.token(page.on_ledge(back), Look::kPrimary, Button::kToWheel, page.t("ask.back"), 0, Icon::kHand);
+        page.token(page.on_ledge(done), Look::kToken, Button::kDone, page.t("ctl.done"));
+    };
+    switch (page.shape()) {
+        case Shape::kWide:
+            add_lines(page, {34.0F, top + 26.0F, width - 34.0F - 588.0F, 110.0F + growth(page).labels},
+                      question, {});
+            tokens({width - 556.0F, y - 4.0F, 350.0F, 74.0F}, {width - 188.0F, y, 156.0F, 66.0F});
+            return;
+        case Shape::kSquare:
+            add_lines(page, {32.0F, top + 12.0F, width - 64.0F, 74.0F + growth(page).caption}, question, {});
+            tokens({width - 520.0F, y, 350.0F, 66.0F}, {width - 152.0F, y, 132.0F, 66.0F});
+            return;
+        case Shape::kTall:
+            add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 108.0F + growth(page).caption}, question, {});
+            tokens({32.0F, y, width - 64.0F, 80.0F}, {width - 300.0F, second_row_y(page), 268.0F, 80.0F});
+            return;
+    }
+}
+
 void add_throw_ledge(Page& page) {
     const View& view = page.view();
     const Throwing& throwing = view.state.throwing;
@@ -433,6 +462,7 @@ void add_throw_ledge(Page& page) {
         return;
     }
     if (throwing.jar.step == JarStep::kAside) return add_aside_ledge(page);
+    if (throwing.asks != DoneQuestion::kNone) return add_question_ledge(page);
     if (throwing.tray) return add_tool_tray(page);
     if (throwing.held == tool::Tool::kWire) return add_wire_ledge(page);
     const bool is_thin = throwing.warning == Warning::kThin && view.thinnest_mm > 0.0;
@@ -485,7 +515,6 @@ void draw_throw(Page& page) {
     }
     const char* const notice = view.state.device_lost    ? "dev.lost"
                                : view.state.force_rests  ? "dev.rest"
-                               : throwing.asks_solid     ? "solid.ask"
                                : throwing.jar.is_low     ? "moon.low"
                                : throwing.jar.rims_apart ? "moon.more"
                                                          : nullptr;

@@ -152,6 +152,25 @@ TEST_F(HandOnClay, KeysAloneOpenAndRaiseAPot) {
     EXPECT_EQ(finger_.marker_mm()->y, height());
 }
 
+// As a keyboard repeats it, thirty times a second, right after the opening.
+TEST_F(HandOnClay, AKeyHeldUpAfterOpeningGoesOnRaisingTheWall) {
+    types(FingerKey::kLeft, 2);
+    while (finger_.marker_mm()->y < height())
+        types(FingerKey::kUp);
+    types(FingerKey::kUp);
+    types(FingerKey::kDown, 8);
+    ASSERT_EQ(finger_.marker_mm()->x, 0.0) << "still over the middle";
+    double before_mm = height();
+    for (const double least_mm : {10.0, 5.0}) {
+        for (int i = 0; i < 210; ++i) {
+            if (i % 2 == 0) finger_.key(FingerKey::kUp, 1.0);
+            frame();
+        }
+        EXPECT_GT(height() - before_mm, least_mm) << "in three and a half seconds";
+        before_mm = height();
+    }
+}
+
 TEST_F(HandOnClay, OneSwitchAloneThrowsAPot) {
     switches(FingerKey::kLeft, 2);
     switches(FingerKey::kDown);

@@ -226,6 +226,32 @@ TEST_F(InterruptedVisit, GivesUpWithOneLineIfTheFolderIsNotWritable) {
     EXPECT_TRUE(visit_.journal.follow(visit_.history, 1)) << "said once";
 }
 
+TEST(VisitPlaces, AreFoundAgain) {
+    const test::TemporaryFolder folder;
+    const fs::path state = folder / "state";
+    EXPECT_EQ(read_place(state).value(), VisitPlace{}) << "nothing was chosen";
+    const VisitPlace place{.target = "moon-jar-nmk", .glaze = 4, .is_cut_off = true};
+    ASSERT_TRUE(write_place(state, place));
+    EXPECT_EQ(read_place(state).value(), place);
+    remove_place(state);
+    EXPECT_EQ(read_place(state).value(), VisitPlace{});
+}
+
+TEST(VisitPlaces, RejectsAnythingElseInOneLine) {
+    const test::TemporaryFolder folder;
+    for (const char* text : {"", "{}", "[1]", R"({"format": 2})", R"({"format": 1, "target": 3})",
+                             R"({"format": 1, "target": "x", "glaze": 1e99, "is_cut_off": true})",
+                             R"({"format": 1, "target": "x", "glaze": 1, "is_cut_off": "yes"})"}) {
+        test::put_file(folder / "place.json", text);
+        const auto read = read_place(folder.path());
+        ASSERT_FALSE(read) << text;
+        EXPECT_EQ(read.error().kind, ErrorKind::kBadInput);
+        EXPECT_EQ(read.error().message.find('\n'), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.find("place.json: expected the choices of a visit"),
+                  std::string::npos);
+    }
+}
+
 // The loop, the keeper and the disk as they are in a kiosk, on the real clock.
 struct VisitedWheel {
     explicit VisitedWheel(const fs::path& gallery)

@@ -89,6 +89,29 @@ TEST_F(Cue, StaysWhereKeysActEvenForAnExperiencedVisitor) {
     EXPECT_NEAR(place->hold->low_mm, 18.0, 1e-9);
 }
 
+TEST_F(Cue, PointsAtThePlaceOfTheKeysAlsoWhileTheHandWorksThere) {
+    CueMoment moment{.now_s = now_s_ += 0.016,
+                     .shape = shape_,
+                     .grip = {},
+                     .wanted_step = 2,
+                     .marker_mm = dvec2(50.0, 30.0)};
+    auto place = cue_.look(moment);
+    ASSERT_TRUE(place && place->marker_mm);
+    EXPECT_EQ(*place->marker_mm, dvec2(50.0, 30.0));
+    EXPECT_FALSE(place->step) << "one arrow is enough";
+    EXPECT_FALSE(draws_up(2.0, 20.0)) << "a visitor who knows how";
+    const clay::studio::GripReport works{.grip = Grip::kWall, .hand_mm = {50.0, 30.0}};
+    place =
+        cue_.look({.now_s = now_s_ += 0.016, .shape = shape_, .grip = works, .marker_mm = dvec2(50.0, 30.0)});
+    ASSERT_TRUE(place && place->marker_mm);
+    place = cue_.look({.now_s = now_s_ += 0.016,
+                       .shape = shape_,
+                       .grip = works,
+                       .is_shown = true,
+                       .marker_mm = dvec2(50.0, 30.0)});
+    EXPECT_FALSE(place && place->marker_mm) << "the hands are the wheel's own";
+}
+
 TEST_F(Cue, SurroundsTheClayThatTheHandsHold) {
     const auto place = draws_up(0.3, 1.0);
     ASSERT_TRUE(place);

@@ -100,6 +100,57 @@ TEST_F(KioskFingerTest, LetsGoOfAFingerThatLeapsOrIsNoNumber) {
     EXPECT_TRUE(std::isfinite(tool.position_mm.x) && std::isfinite(tool.position_mm.y));
 }
 
+// On a busy machine a frame may hold a whole touch.
+TEST_F(KioskFingerTest, PressesForATouchThatCameAndWentBetweenTwoFrames) {
+    finger_.press({80.0, 50.0});
+    finger_.lift();
+    auto tool = next(finger_, shape_);
+    EXPECT_TRUE(tool.pressing);
+    EXPECT_EQ(tool.position_mm, dvec3(80.0, 50.0, 0.0));
+    EXPECT_FALSE(next(finger_, shape_).pressing);
+    EXPECT_FALSE(finger_.works());
+    finger_.press({80.0, 50.0});
+    finger_.drag({60.0, 50.0});
+    finger_.drag({40.0, 70.0});
+    finger_.lift();
+    finger_.drag({0.0, 0.0});
+    tool = next(finger_, shape_);
+    EXPECT_TRUE(tool.pressing);
+    EXPECT_EQ(tool.position_mm, dvec3(80.0, 50.0, 0.0)) << "where the touch began";
+    tool = next(finger_, shape_);
+    EXPECT_TRUE(tool.pressing);
+    EXPECT_EQ(tool.position_mm, dvec3(40.0, 70.0, 0.0)) << "where it ended";
+    EXPECT_FALSE(next(finger_, shape_).pressing);
+    finger_.press({80.0, 50.0});
+    static_cast<void>(next(finger_, shape_));
+    finger_.lift();
+    EXPECT_FALSE(next(finger_, shape_).pressing) << "one that was seen ends at once";
+    finger_.press({80.0, 50.0});
+    finger_.lift();
+    finger_.release();
+    EXPECT_FALSE(next(finger_, shape_).pressing) << "as when the screen changes";
+}
+
+TEST_F(KioskFingerTest, BeginsATouchWhereItBeganHoweverFarItHasComeByTheFrame) {
+    finger_.press({90.0, 20.0});
+    for (int step = 1; step <= 20; ++step)
+        finger_.drag({90.0 - 4.0 * step, 20.0});
+    EXPECT_EQ(next(finger_, shape_).position_mm, dvec3(90.0, 20.0, 0.0));
+    EXPECT_EQ(next(finger_, shape_).position_mm, dvec3(10.0, 20.0, 0.0));
+}
+
+TEST_F(KioskFingerTest, FollowsALongWayThatASlowFrameHolds) {
+    finger_.press({90.0, 20.0});
+    static_cast<void>(next(finger_, shape_));
+    for (int step = 1; step <= 30; ++step)
+        finger_.drag({90.0, 20.0 + 6.0 * step});
+    const auto tool = finger_.request({}, shape_, 0.1);
+    EXPECT_TRUE(tool.pressing) << "180 mm in a tenth of a second or more";
+    EXPECT_EQ(tool.position_mm, dvec3(90.0, 200.0, 0.0));
+    finger_.drag({90.0, 70.0});
+    EXPECT_FALSE(finger_.request({}, shape_, 0.1).pressing) << "no finger leaps so far from report to report";
+}
+
 TEST_F(KioskFingerTest, StaysWithinReachAndAboveTheWheelHead) {
     finger_.press({9000.0, -50.0});
     const auto tool = next(finger_, shape_);

@@ -88,6 +88,17 @@ TEST_F(KioskMarkerTest, OpensSolidClayFromOverItsMiddle) {
     EXPECT_EQ(*marker_.place_mm(opened), dvec2(-62.0, 55.0));
 }
 
+TEST_F(KioskMarkerTest, PullsFromOverTheMiddleOnceTheClayIsOpen) {
+    go_up(lump_);
+    static_cast<void>(marker_.key(FingerKey::kUp, lump_, 1.0));
+    static_cast<void>(marker_.key(FingerKey::kDown, lump_, 1.0));
+    const pot::Pot opened = cone(55, 62, 0.0, 12);
+    const auto pull = marker_.key(FingerKey::kUp, opened, 1.0);
+    ASSERT_TRUE(pull);
+    EXPECT_EQ(pull->points.back().place_mm, dvec2(62.0, 61.0));
+    EXPECT_EQ(*marker_.place_mm(opened), dvec2(62.0, 55.0)) << "at the rim that it draws up";
+}
+
 TEST_F(KioskMarkerTest, GoesUpWithAPotThatGrows) {
     static_cast<void>(marker_.key(FingerKey::kLeft, bowl_, 1.0));
     const pot::Pot taller = cone(150, 40, 0.5, 12);

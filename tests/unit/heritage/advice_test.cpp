@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "tests/support/places.h"
 
@@ -43,11 +44,43 @@ TEST(Advice, NamesThePartThatIsFarthestOffAndWhichWay) {
     broad.radii_mm.front() *= 1.3;
     EXPECT_EQ(next_key(advise(broad, jar, 0.5)), "tip.next.foot.less");
     PotForm thick = like(jar, 0.5);
-    thick.wall_mm = 11.0;
+    thick.wall_mm = 13.0;  // in a level cut
     EXPECT_EQ(next_key(advise(thick, jar, 0.5)), "tip.next.wall.less");
     PotForm thin = like(jar, 0.5);
     thin.wall_mm = 1.0;
     EXPECT_FALSE(advise(thin, jar, 0.5).next) << "no advice to leave more clay in a wall";
+}
+
+TEST(Advice, NamesAThickWallBeforeTheOutline) {
+    const Target jar = moon_jar();
+    PotForm pot = like(jar, 0.5);
+    pot.radii_mm.front() *= 1.8;
+    EXPECT_EQ(next_key(advise(pot, jar, std::nullopt)), "tip.next.foot.less");
+    pot.wall_mm = 19.0;
+    EXPECT_EQ(next_key(advise(pot, jar, std::nullopt)), "tip.next.wall.less");
+    pot.wall_mm.reset();
+    EXPECT_EQ(next_key(advise(pot, jar, std::nullopt)), "tip.next.hollow") << "a solid lump";
+}
+
+// A dish's wall is wide in a level cut, however thin it is.
+TEST(Advice, MeasuresAWallAcrossItsLean) {
+    const Target jar = moon_jar();
+    PotForm dish = like(jar, 0.5);
+    dish.height_mm = 40.0;
+    for (std::size_t i = 0; i < dish.radii_mm.size(); ++i)
+        dish.radii_mm[i] = 30.0 + 0.6 * static_cast<double>(i);
+    dish.wall_mm = 12.0;
+    EXPECT_NE(next_key(advise(dish, jar, std::nullopt)), "tip.next.wall.less");
+    dish.wall_mm = 25.0;
+    EXPECT_EQ(next_key(advise(dish, jar, std::nullopt)), "tip.next.wall.less");
+}
+
+TEST(Advice, ComparesAFootAndAMouthByTheWidthOfTheWholePot) {
+    const Target jar = moon_jar();
+    PotForm pot = like(jar, 0.5);
+    pot.radii_mm.front() += 6.0;
+    pot.radii_mm.back() -= 8.0;
+    EXPECT_EQ(next_key(advise(pot, jar, 0.5)), "tip.next.mouth.more") << "the foot is less far off";
 }
 
 TEST(Advice, PraisesNoBellyOfAStraightWall) {

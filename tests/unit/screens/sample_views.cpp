@@ -157,7 +157,18 @@ void add_step_views(const Samples& add) {
             view.state.throwing.shown = static_cast<kiosk::ShownStep>(step);
         });
     }
-    add("throw-solid", Screen::kThrow, [](View& view) { view.state.throwing.asks_solid = true; });
+    add("throw-solid", Screen::kThrow,
+        [](View& view) { view.state.throwing.asks = kiosk::DoneQuestion::kSolid; });
+    for (const bool scans : {false, true}) {
+        add(scans ? "throw-thick-scan" : "throw-thick", Screen::kThrow, [&](View& view) {
+            view.state.throwing.steps_done = 3;
+            view.state.throwing.asks = kiosk::DoneQuestion::kThick;
+            view.state.throwing.asked_mm = 22;
+            if (!scans) return;
+            view.scans = true;
+            view.focus = 0;
+        });
+    }
     add("throw-reach", Screen::kThrow, [](View& view) {
         view.state.comfort.reach = true;
         view.focus = 3;
@@ -310,6 +321,7 @@ void add_your_pot_views(const Samples& add) {
     add("your-pot-after", Screen::kYourPot, [](View& view) {
         FiredPot pot = *view.pot;
         pot.is_after_relative = true;
+        pot.off_outline_mm = 14.0;
         pot.good_key = "tip.good.wall";
         pot.next_key = "tip.next.height.more";
         view.pot = std::make_shared<const FiredPot>(std::move(pot));

@@ -188,6 +188,79 @@ TEST_F(Kiosk, AsksOnceBeforeItFiresASolidLump) {
     EXPECT_EQ(visitor.state.screen, Screen::kFiring) << "which the visitor wants";
 }
 
+TEST_F(Kiosk, AdvisesAnotherPullOfAThickWallBeforeThePotIsCutOff) {
+    visitor.starts_to_throw().does(event::Progress{.steps_done = 3, .thick_mm = 22}).presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    EXPECT_EQ(spoken_key(visitor.state), "thick.ask");
+    EXPECT_EQ(visitor.state.throwing.asked_mm, 22);
+    EXPECT_FALSE(visitor.caused<effect::CutOff>());
+    visitor.presses(Button::kToWheel);
+    EXPECT_EQ(spoken_key(visitor.state), "step.own") << "one tap, and the visitor is back at the wheel";
+    visitor.does(event::ClayTouched{}).does(event::Progress{.steps_done = 3, .thick_mm = 19});
+    visitor.presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring) << "once a lump is enough";
+}
+
+TEST_F(Kiosk, KeepsAThickWallThatTheVisitorWants) {
+    visitor.starts_to_throw().does(event::Progress{.steps_done = 3, .thick_mm = 22});
+    visitor.presses(Button::kDone).presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring);
+    Visitor other;
+    other.starts_to_throw().does(event::Progress{.steps_done = 3, .thick_mm = 22});
+    other.presses(Button::kNewClay).does(event::Progress{.steps_done = 3}).presses(Button::kDone);
+    EXPECT_EQ(other.state.screen, Screen::kFiring) << "of the clay on the wheel";
+}
+
+// Where the wall is about to sink, nobody is told to draw it higher.
+TEST_F(Kiosk, AdvisesNoPullOfAWallThatIsAboutToSink) {
+    visitor.starts_to_throw().does(event::Progress{.steps_done = 3, .thick_mm = 22});
+    visitor.does(event::Warned{Warning::kThin}).presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring);
+}
+
+TEST_F(Kiosk, CountsNoIdleTimeWhileItKeepsAndPacksThePot) {
+    visitor.rules.shares = true;
+    visitor.keeps().waits(100.0);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone) << "the disk is slow";
+    visitor.does(event::Saved{3}).waits(100.0);
+    EXPECT_EQ(visitor.state.keeping.phone, Phone::kPacking);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone) << "the visitor waits for the code";
+    visitor.does(event::Shared{3, ShareOutcome::kReady}).waits(visitor.rules.idle_s - 0.2);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone) << "the full time to see it";
+    visitor.waits(0.3);
+    EXPECT_EQ(visitor.state.panel, Panel::kIdle);
+}
+
+TEST_F(Kiosk, IsFreedFromAWorkThatNeverEnds) {
+    visitor.keeps().waits(visitor.rules.works_most_s + visitor.rules.idle_s + 0.2);
+    EXPECT_EQ(visitor.state.panel, Panel::kIdle);
+    visitor.waits(visitor.rules.countdown_s + 0.1);
+    EXPECT_EQ(visitor.state.screen, Screen::kAttract);
+}
+
+TEST_F(Kiosk, ResumesTheChosenPotAndAPotThatWasCutOffWithItsGlaze) {
+    visitor.does(event::InterruptedSession{.pot = {.target = 2, .glaze = 4}}).does(event::Input{});
+    visitor.presses(Button::kResumeGo);
+    EXPECT_EQ(visitor.state.throwing.target, 2) << "whose outline is shown";
+    visitor.does(event::Progress{.steps_done = 2});
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow);
+    Visitor other;
+    other.does(event::InterruptedSession{.pot = {.target = 2, .glaze = 4, .is_cut_off = true}});
+    other.does(event::Input{}).presses(Button::kResumeGo);
+    EXPECT_EQ(other.state.screen, Screen::kThrow) << "until the clay is on the wheel";
+    other.does(event::Progress{.steps_done = 3, .thick_mm = 22});
+    EXPECT_EQ(other.state.screen, Screen::kFiring);
+    EXPECT_TRUE(other.caused<effect::CutOff>());
+    other.presses(Button::kSkip).presses(Button::kDone).presses(Button::kSkip);
+    EXPECT_EQ(other.state.screen, Screen::kGlaze);
+    EXPECT_EQ(other.state.glaze, 4);
+    Visitor fresh;
+    fresh.does(event::InterruptedSession{.pot = {.target = 2, .is_cut_off = true}}).does(event::Input{});
+    fresh.presses(Button::kResumeFresh).does(event::Progress{.steps_done = 1});
+    EXPECT_EQ(fresh.state.screen, Screen::kThrow) << "another lump";
+    EXPECT_FALSE(fresh.state.throwing.target);
+}
+
 TEST_F(Kiosk, FiresAHollowPotWithoutAQuestion) {
     visitor.starts_to_throw().does(event::Progress{.steps_done = 1, .is_solid = true});
     visitor.does(event::Progress{.steps_done = 2}).presses(Button::kDone);

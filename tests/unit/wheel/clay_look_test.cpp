@@ -43,10 +43,11 @@ TEST(ClayLook, ReflectsLessThanAllLightAndDiffersBetweenBodies) {
 }
 
 TEST(ClayLook, DarkensWithWaterUpToItsFill) {
-    EXPECT_GT(darkness_of(0.0F), 0.0F) << "leather-hard clay is damp";
-    EXPECT_LT(darkness_of(0.2F), darkness_of(0.8F));
-    EXPECT_EQ(darkness_of(9.0F), 1.0F);
-    EXPECT_EQ(darkness_of(-9.0F), 0.0F);
+    EXPECT_GT(darkness_of(0.0F, 0.0F), 0.0F) << "leather-hard clay is damp";
+    EXPECT_LT(darkness_of(0.2F, 0.0F), darkness_of(0.8F, 0.0F));
+    EXPECT_LT(darkness_of(0.5F, 0.0F) + 0.2F, darkness_of(0.5F, 0.25F)) << "a wet hand leaves a dark wall";
+    EXPECT_EQ(darkness_of(9.0F, 1.0F), 1.0F);
+    EXPECT_EQ(darkness_of(-9.0F, 0.0F), 0.0F);
 }
 
 TEST(ClayLook, BringsEveryColumnOfASnapshotToTheLathe) {
@@ -71,9 +72,9 @@ TEST(ClayLook, BringsEveryColumnOfASnapshotToTheLathe) {
     EXPECT_EQ(std::vector<float>(lathe.top_mm.begin(), lathe.top_mm.end()), top);
     ASSERT_EQ(lathe.centre_mm.size(), 4U);
     EXPECT_EQ(lathe.centre_mm[2], vec2(5.0F, 6.0F));
-    EXPECT_EQ(lathe.film[3], 0.5F);
+    EXPECT_EQ(lathe.film[3], gloss_of(0.5F));
     EXPECT_EQ(lathe.load[0], 0.5F);
-    EXPECT_EQ(lathe.wetness[1], darkness_of(0.5F));
+    EXPECT_EQ(lathe.wetness[1], darkness_of(0.5F, 0.5F));
     EXPECT_EQ(lathe.dents_mm.size(), dents.size());
     pot.stage = Firing::kBisque;
     EXPECT_TRUE(scene.apply({.pot = &pot}, 640, 480).lathe->film.empty()) << "fired clay holds no water";

@@ -129,5 +129,52 @@ TEST_F(AShaving, IsSeenBesideTheTrimmerAtAPotThatHasDried) {
     EXPECT_EQ(shows(ToolModel::kRib), 1U);
 }
 
+class ASplash : public testing::Test {
+  protected:
+    // Runs a second; returns the drops that were in the air, summed over its frames.
+    std::size_t pass(bool moves_less = false) {
+        std::size_t seen = 0;
+        for (int i = 0; i < 60; ++i) {
+            splash_.follow(sight_, kEveryS, moves_less);
+            for (const mat4& place : splash_.places()) {
+                EXPECT_GT(out_mm(place), 55.0) << "never into the wall";
+                EXPECT_GT(place_of(place).y, out_mm(place) < 147.0 ? 0.0F : -56.0F)
+                    << "nor through the wheel";
+            }
+            seen += splash_.places().size();
+        }
+        return seen;
+    }
+
+    SplashSight sight_{.film = 1.0, .from_mm = {62.0, 80.0, 0.0}, .wheel_speed_rad_s = 12.6};
+    Splash splash_;
+};
+
+TEST_F(ASplash, IsTheWetterTheHandAndTheFasterTheWheel) {
+    const std::size_t all = pass();
+    EXPECT_GT(all, 100U);
+    sight_.film = 0.3;
+    static_cast<void>(pass());
+    const std::size_t fewer = pass();
+    EXPECT_LT(fewer, all / 2);
+    EXPECT_GT(fewer, 0U);
+    sight_.wheel_speed_rad_s = 0.0;
+    static_cast<void>(pass());
+    EXPECT_EQ(pass(), 0U) << "the wheel stands";
+}
+
+TEST_F(ASplash, FallsWithinASecondOfADryHand) {
+    static_cast<void>(pass());
+    sight_.film = 0.0;
+    static_cast<void>(pass());
+    EXPECT_TRUE(splash_.places().empty());
+}
+
+TEST_F(ASplash, IsNotThereWithReducedMotionNorInAStill) {
+    EXPECT_EQ(pass(true), 0U);
+    splash_.follow(sight_, 0.0);
+    EXPECT_TRUE(splash_.places().empty());
+}
+
 }  // namespace
 }  // namespace onggi::wheel

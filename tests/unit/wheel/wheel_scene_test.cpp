@@ -189,9 +189,40 @@ TEST_F(TheWheelScene, HoldsTheWireInsteadOfTheHands) {
     pot_.top_mm = {50.0F, 100.0F, 150.0F, 200.0F};
     scene_.hold_wire(120.0);
     const std::vector<render::Prop>& props = show(shown_).props;
+    ASSERT_EQ(props.size(), 2U) << "slip and wire";
+    EXPECT_EQ(props[1].model, library_place(ToolModel::kWire, false));
+    EXPECT_EQ(props[1].place[3].y, 120.0F);
+}
+
+TEST_F(TheWheelScene, HasSlipThatTurnsWithTheHeadUnderWetClay) {
+    scene_.set_tools(load_tool_models(test::in_checkout("assets/tools")).value());
+    scene_.show_hands(false);
+    shown_.wheel_direction = {0.0, 1.0};  // a quarter turn, counter-clockwise from above
+    const std::vector<render::Prop>& props = show(shown_).props;
     ASSERT_EQ(props.size(), 1U);
-    EXPECT_EQ(props[0].model, library_place(ToolModel::kWire, false));
-    EXPECT_EQ(props[0].place[3].y, 120.0F);
+    EXPECT_EQ(props[0].model, library_place(ToolModel::kSlip, false));
+    EXPECT_EQ(props[0].place * vec4(1.0F, 0.0F, 0.0F, 1.0F), vec4(0.0F, 0.0F, -1.0F, 1.0F));
+    pot_.stage = clay::Firing::kDry;
+    EXPECT_TRUE(show(shown_).props.empty()) << "the wheel is clean when the pot has dried";
+}
+
+TEST_F(TheWheelScene, ThrowsDropsOffAWetHandAtWork) {
+    scene_.set_tools(load_tool_models(test::in_checkout("assets/tools")).value());
+    shown_.hand_film = 1.0;
+    shown_.wheel_speed_rad_s = 12.0;
+    const auto drops = [&] {
+        std::size_t most = 0;
+        for (int frame = 0; frame < 60; ++frame) {
+            const auto& props = scene_.apply(shown_, 1280, 720, 1.0 / 60.0).props;
+            most = std::max(most, static_cast<std::size_t>(std::ranges::count(
+                                      props, library_place(ToolModel::kDrop, false), &render::Prop::model)));
+        }
+        return most;
+    };
+    EXPECT_EQ(drops(), 0U) << "it does not touch";
+    shown_.result.forces.contacts = 1;
+    EXPECT_GT(drops(), 2U);
+    EXPECT_LT(drops(), 20U);
 }
 
 TEST_F(TheWheelScene, FollowsTheProgramsHandsInsteadOfTheLoops) {

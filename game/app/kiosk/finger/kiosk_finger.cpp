@@ -22,8 +22,10 @@ double faded(double distance_mm) {
 
 // Limits the finger to the pot and its surroundings.
 constexpr double kReachMm = 260.0;
-// Farther than a hand moves in a frame: another finger, or a faulty touch screen.
+// Farther than a hand moves from one report to the next, or in a frame of 60 a second: another finger, or a
+// faulty touch screen.
 constexpr double kLeapMm = 120.0;
+constexpr double kFrameS = 1.0 / 60.0;
 constexpr double kRestsAfterS = 4.0;
 constexpr dvec2 kRestingMm{230.0, 45.0};  // over the pan's edge, away from all clay
 constexpr double kBesideMm = 15.0;
@@ -102,11 +104,12 @@ void KioskFinger::press(const dvec2& place_mm) {
     presser_ = Presser::kFinger;
     ++touches_;
     finger_mm_ = shown_before_mm_ = within_reach(place_mm);
+    began_mm_ = finger_mm_;
 }
 
 void KioskFinger::drag(const dvec2& place_mm) {
-    if (presser_ != Presser::kFinger) return;
-    if (!is_place(place_mm) || glm::length(within_reach(place_mm) - shown_before_mm_) > kLeapMm) {
+    if (presser_ != Presser::kFinger || is_lifted_) return;
+    if (!is_place(place_mm) || glm::length(within_reach(place_mm) - finger_mm_) > kLeapMm) {
         release();
         return;
     }
@@ -114,8 +117,15 @@ void KioskFinger::drag(const dvec2& place_mm) {
     idle_s_ = 0.0;
 }
 
+void KioskFinger::lift() {
+    is_lifted_ = presser_ == Presser::kFinger && began_mm_;
+    if (!is_lifted_) release();
+}
+
 void KioskFinger::release() {
     presser_ = Presser::kNobody;
+    began_mm_.reset();
+    is_lifted_ = false;
     touch_.stop();
     waiting_.clear();
     shows_ = false;
@@ -189,6 +199,19 @@ void KioskFinger::work_off_keys(const pot::Pot& shape) {
     }
 }
 
+// A slow frame may hold a long way of the finger.
+void KioskFinger::drop_leap(double dt_s) {
+    const double most_mm = kLeapMm * std::max(1.0, dt_s / kFrameS);
+    if (presser_ == Presser::kFinger && glm::length(finger_mm_ - shown_before_mm_) > most_mm) release();
+}
+
+// The place of a finger or a gamepad in this frame: a touch's first place has a frame of its own.
+dvec2 KioskFinger::take_place() {
+    if (began_mm_) return *std::exchange(began_mm_, std::nullopt);
+    if (is_lifted_ && shown_before_mm_ == finger_mm_) release();
+    return finger_mm_;
+}
+
 // Follows a synthetic touch, else the pressing input, else goes aside.
 dvec2 KioskFinger::finger_now(const pot::Pot& shape, double dt_s) {
     if (touch_.runs()) {
@@ -202,7 +225,8 @@ dvec2 KioskFinger::finger_now(const pot::Pot& shape, double dt_s) {
     if (touch_.runs()) return finger_mm_;
     if (presser_ == Presser::kNobody) idle_s_ += dt_s;
     if (idle_s_ >= kRestsAfterS) return kRestingMm;
-    return help_.drawn(finger_mm_);
+    shown_before_mm_ = take_place();
+    return help_.drawn(shown_before_mm_);
 }
 
 // Separates two touches by one frame without pressing; otherwise the clay would take them for one.
@@ -229,12 +253,12 @@ tool::ToolState KioskFinger::request(const HeldTool& held, const pot::Pot& shape
     const bool holds_wire = held.tool == tool::Tool::kWire;
     const bool trims = held.tool == tool::Tool::kTrimmer;
     help_.pass_time(dt_s);
+    drop_leap(dt_s);
     tool::ToolState tool;
     tool.guided = true;
     if (holds_wire) hold_wire(shape);
     tool.position_mm = dvec3(finger_now(shape, dt_s), 0.0);
     tool.pressing = presses_now() && !holds_wire;
-    shown_before_mm_ = finger_mm_;
     marker_mm_ = holds_wire ? std::nullopt : marker_.place_mm(shape);
     tool.tool = holds_wire ? tool::Tool::kHand : held.tool;
     if (std::exchange(cuts_, false)) {

@@ -54,10 +54,14 @@ struct HeldTool {
 class KioskFinger {
   public:
     // A finger or a pressed mouse at a place on that plane. It takes over from any other input. A place that
-    // is not a number, or jumps farther than a hand moves in a frame, releases the finger.
+    // is not a number, or jumps farther than a hand moves, releases the finger. The first request after a
+    // press is for its place, however far the finger has come since: the clay judges a touch by its start.
     void press(const dvec2& place_mm);
     void drag(const dvec2& place_mm);
-    // Ends the touch of any input.
+    // The finger has left. A touch that began since the last request still gets its requests, at its start
+    // and at its end.
+    void lift();
+    // Ends the touch of any input at once.
     void release();
     // A hovering mouse.
     void hover(const dvec2& place_mm);
@@ -102,6 +106,8 @@ class KioskFinger {
     };
 
     void take_over();
+    void drop_leap(double dt_s);
+    [[nodiscard]] dvec2 take_place();
     void ask_for(const WaitingKey& key);
     void work_off_keys(const pot::Pot& shape);
     [[nodiscard]] dvec2 finger_now(const pot::Pot& shape, double dt_s);
@@ -110,10 +116,12 @@ class KioskFinger {
 
     Presser presser_ = Presser::kNobody;
     dvec2 finger_mm_{0.0};
-    dvec2 shown_before_mm_{0.0};  // the finger in the last frame
-    double idle_s_ = 1e9;         // since the finger last moved
-    bool pad_held_ = false;       // the gamepad's button; a new press needs a release first
-    bool pad_has_come_ = false;   // the gamepad's finger is at the clay on the wheel
+    dvec2 shown_before_mm_{0.0};     // the finger in the last frame
+    std::optional<dvec2> began_mm_;  // of a touch that no request has shown yet
+    bool is_lifted_ = false;         // the touch ends when its last place was requested
+    double idle_s_ = 1e9;            // since the finger last moved
+    bool pad_held_ = false;          // the gamepad's button; a new press needs a release first
+    bool pad_has_come_ = false;      // the gamepad's finger is at the clay on the wheel
     KioskTouch touch_;
     std::deque<WaitingKey> waiting_;         // keys that arrived during a touch
     std::uint64_t touches_ = 0;              // touches begun so far, by any input

@@ -68,9 +68,11 @@ std::optional<TouchPath> KioskMarker::key(FingerKey key, const pot::Pot& shape, 
     const double direction = key == FingerKey::kLeft ? -1.0 : 1.0;
     switch (key) {
         case FingerKey::kUp:
-            if (is_over_) return std::nullopt;
+            if (is_at_rim() && !is_solid(shape)) {
+                is_over_ = false;
+                return pull_path(shape, side_, kPullMm);
+            }
             if (is_at_rim()) {
-                if (!is_solid(shape)) return pull_path(shape, side_, kPullMm);
                 is_over_ = true;
             } else {
                 walk(kWalkMm, shape);

@@ -12,10 +12,10 @@ enum class FingerKey { kUp, kDown, kLeft, kRight };
 
 class KioskMarker {
   public:
-    // An arrow key. Up and down move the marker along the wall. At the rim of an opened pot, up pulls; at the
-    // rim of solid clay, up moves the marker over the middle, where down opens and the other keys return to
-    // the rim. Left and right move the wall to that side of the picture. The first key shows the marker low
-    // on `side` (+1 right).
+    // An arrow key. Up and down move the marker along the wall. At the rim of an opened pot and over its
+    // middle, up pulls; at the rim of solid clay, up moves the marker over the middle, where down opens and
+    // left and right return to the rim. Left and right move the wall to that side of the picture. The first
+    // key shows the marker low on `side` (+1 right).
     [[nodiscard]] std::optional<TouchPath> key(FingerKey key, const pot::Pot& shape, double side);
     // A button on the screen, for visitors who cannot move a marker: up raises, down opens solid clay or
     // lowers a pot; left and right are as above.

@@ -1,9 +1,15 @@
 #include "game/app/kiosk/gallery/visit_journal.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <span>
 #include <system_error>
 #include <utility>
+
+#include "engine/files/atomic_file.h"
+#include "engine/files/read_file.h"
+#include "game/app/system/whole_number.h"
 
 namespace onggi::app {
 namespace {
@@ -12,7 +18,49 @@ constexpr std::int64_t kSyncEveryNs = 1'000'000'000;
 // About 5 ms of writing: an undo rewrites minutes of ticks, and other jobs of the thread may be waiting.
 constexpr std::size_t kMostTicksACall = 40'000;
 
+constexpr int kPlaceFormat = 1;
+constexpr std::size_t kMostPlaceBytes = 4096;
+constexpr const char* kPlaceFile = "place.json";
+
 }  // namespace
+
+Result<void> write_place(const std::filesystem::path& folder, const VisitPlace& place) {
+    const std::string text = nlohmann::json{
+        {"format", kPlaceFormat},
+        {"target", place.target},
+        {"glaze", place.glaze},
+        {"is_cut_off",
+         place.is_cut_off}}.dump();
+    std::error_code ignored;  // write_file_atomically() reports the error
+    std::filesystem::create_directories(folder, ignored);
+    return files::write_file_atomically(folder / kPlaceFile, std::as_bytes(std::span(text)));
+}
+
+Result<VisitPlace> read_place(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / kPlaceFile;
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return VisitPlace{};
+    const auto text = files::read_file(file, kMostPlaceBytes);
+    if (!text) return text.error();
+    try {
+        const nlohmann::json note = nlohmann::json::parse(*text);
+        if (const int format = whole_number<int>(note.at("format")); format != kPlaceFormat) {
+            return bad_input(fmt::format("{}: expected the choices of a visit in format {}, found {}",
+                                         file.string(), kPlaceFormat, format));
+        }
+        return VisitPlace{.target = note.at("target").get<std::string>(),
+                          .glaze = whole_number<int>(note.at("glaze")),
+                          .is_cut_off = note.at("is_cut_off").get<bool>()};
+    } catch (const nlohmann::json::exception& error) {
+        return bad_input(
+            fmt::format("{}: expected the choices of a visit, found: {}", file.string(), error.what()));
+    }
+}
+
+void remove_place(const std::filesystem::path& folder) noexcept {
+    std::error_code ignored;
+    std::filesystem::remove(folder / kPlaceFile, ignored);
+}
 
 Result<void> VisitJournal::give_up(const Error& error) {
     drop();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "engine/core/result.h"
 #include "game/haptic/history.h"
@@ -15,6 +16,20 @@ namespace onggi::app {
 
 // Half an hour of two hands at 4 kHz.
 constexpr std::size_t kMostSessionBytes = std::size_t{400} << 20U;
+
+// The choices of the visit in progress, besides its clay and its decoration.
+struct VisitPlace {
+    std::string target{};  // id of the museum's pot that was chosen; empty: free throwing
+    int glaze = 0;
+    bool is_cut_off = false;  // the throwing is over
+
+    friend bool operator==(const VisitPlace&, const VisitPlace&) = default;
+};
+// In FOLDER/place.json. write_place() creates the folder when needed; read_place() returns the default
+// without a file. kBadInput: the file is damaged, or of a later version.
+Result<void> write_place(const std::filesystem::path& folder, const VisitPlace& place);
+[[nodiscard]] Result<VisitPlace> read_place(const std::filesystem::path& folder);
+void remove_place(const std::filesystem::path& folder) noexcept;
 
 class VisitJournal {
   public:

@@ -136,7 +136,10 @@ bool KioskKeeper::work_out_interrupted_session() {
                                                                           : nullptr,
                                                   .jar = jar_.stage(),
                                                   .jar_target = jar_.target(),
-                                                  .drawn = interrupted_drawing()},
+                                                  .drawn = interrupted_drawing(),
+                                                  .place = interrupted_place(),
+                                                  .pot = std::make_shared<const pot::Pot>(haptic::pot_of(
+                                                      interrupted_session_->history().state()))},
                 .words = fmt::format("interrupted visit: {:.1f} s of throwing can be resumed",
                                      interrupted_session_->seconds())});
         return false;
@@ -150,6 +153,7 @@ void KioskKeeper::remove_interrupted_session() {
     interrupted_session_.reset();
     InterruptedSession::remove(visits_);
     remove_drawing();
+    remove_place(visits_);
     jar_.forget();
 }
 
@@ -168,6 +172,7 @@ void KioskKeeper::end_journal() {
     journalled_run_.reset();
     journal_.drop();
     remove_drawing();
+    remove_place(visits_);
     if (!std::exchange(was_resumed_, false)) return;
     is_put_ = false;
     interrupted_session_.reset();
@@ -219,6 +224,12 @@ void KioskKeeper::cut_off() {
 void KioskKeeper::keep_drawing(std::vector<std::byte> drawn) {
     ask([this, drawn = std::move(drawn)] {
         if (journalled_run_) complain(files::write_file_atomically(drawing_place(), drawn));
+    });
+}
+
+void KioskKeeper::keep_place(VisitPlace place) {
+    ask([this, place = std::move(place)] {
+        if (journalled_run_) complain(write_place(visits_, place));
     });
 }
 
@@ -441,6 +452,13 @@ std::shared_ptr<const decoration::Recorded> KioskKeeper::interrupted_drawing() {
     complain("interrupted visit: decoration dropped: " + drawn.error().message);
     if (drawn.error().kind == ErrorKind::kBadInput) remove_drawing();
     return nullptr;
+}
+
+// One that cannot be read costs the visitor the choices, but not the pot.
+VisitPlace KioskKeeper::interrupted_place() {
+    const auto place = read_place(visits_);
+    if (!place) complain("interrupted visit: choices dropped: " + place.error().message);
+    return place ? *place : VisitPlace{};
 }
 
 void KioskKeeper::tell_all(std::vector<std::string> remarks) {

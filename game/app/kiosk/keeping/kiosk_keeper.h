@@ -53,6 +53,8 @@ struct KeeperAnswer {
         JarStage jar = JarStage::kNone;
         std::string jar_target;
         std::shared_ptr<const decoration::Recorded> drawn;  // null: no decoration
+        VisitPlace place;
+        std::shared_ptr<const pot::Pot> pot;
     };
     struct Survey {
         static constexpr std::size_t kMostPots = 1000;  // limit for the panel's pages
@@ -106,6 +108,8 @@ class KioskKeeper final : private jobs::IoWork {
     void cut_off();
     // Stores the unfinished decoration, in case of a power cut.
     void keep_drawing(std::vector<std::byte> drawn);
+    // Stores the visitor's choices, in case of a power cut.
+    void keep_place(VisitPlace place);
     // Limits undo to the ticks from here on, until other clay comes.
     void begin_trim();
     // Writes the session of the last cut-off pot to that place. Answered by SessionWritten if the history is
@@ -157,6 +161,7 @@ class KioskKeeper final : private jobs::IoWork {
     void remove_drawing() const noexcept;
     void remove_interrupted_session();
     [[nodiscard]] std::shared_ptr<const decoration::Recorded> interrupted_drawing();
+    [[nodiscard]] VisitPlace interrupted_place();
     void take_arriving(const haptic::TickRecord& record);
     void look_at_the_wall(std::int64_t now_ns);
     void show_wall(const Result<void>& changed);

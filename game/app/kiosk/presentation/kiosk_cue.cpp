@@ -151,7 +151,8 @@ std::optional<CuePlace> KioskCue::look(const CueMoment& moment) {
     follow_progress(moment, dt_s);
     follow_guard(moment, dt_s);
     const clay::studio::GripReport& grip = moment.grip;
-    CuePlace place;
+    // Who leads the hand by keys sees where it is, also while it works.
+    CuePlace place{.marker_mm = moment.is_shown ? std::nullopt : moment.marker_mm};
     if (grip.grip != Grip::kNone) {
         if (guard_ != GripGuard::kNone && guard_s_ >= kGuardSaysS) place.guard = words_of(guard_);
         if (!moment.is_shown) place.thread = thread_of(grip);
@@ -160,7 +161,7 @@ std::optional<CuePlace> KioskCue::look(const CueMoment& moment) {
             place.hold = grip.grip == Grip::kAsking ? hold_of_touch(moment.shape, grip.finger_mm)
                                                     : hold_of_grip(grip, moment.shape);
     } else {
-        place.step = moment.wanted_step;
+        if (!moment.marker_mm) place.step = moment.wanted_step;
         if (moment.marker_mm) {
             place.hold = hold_of_touch(moment.shape, *moment.marker_mm, moment.with_tool);
         } else if (moment.hovers_mm && (!is_known_ || moment.wanted_step || moment.with_tool)) {
@@ -170,7 +171,7 @@ std::optional<CuePlace> KioskCue::look(const CueMoment& moment) {
     }
     if (!place.hold) {
         shown_.reset();
-        return place.thread ? std::optional(place) : std::nullopt;
+        return place.thread || place.marker_mm ? std::optional(place) : std::nullopt;
     }
     place.hold = shown_ = eased(*place.hold, moment, dt_s);
     return place;

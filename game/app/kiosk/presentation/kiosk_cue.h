@@ -48,7 +48,8 @@ struct CueMoment {
 struct CuePlace {
     std::optional<CueHold> hold{};
     std::optional<CueThread> thread{};
-    std::optional<int> step{};  // the step whose direction the arrow shows, at its start
+    std::optional<int> step{};         // the step whose direction the arrow shows, at its start
+    std::optional<dvec2> marker_mm{};  // else the arrow points at this place
     screens::CueGuard guard = screens::CueGuard::kNone;
     double hand_side = 0.0;  // the side of the axis with a working hand: +1 right; 0: no hand
 };

@@ -120,6 +120,31 @@ double thinnest_wall_mm(const pot::Pot& shape) {
     return thinnest;
 }
 
+int thick_wall_mm(const pot::Pot& shape) {
+    constexpr double kFromMm = 6.0;  // above the floor, where a wall is thick by nature
+    constexpr double kStepMm = 2.0;
+    constexpr double kThickestMm = 15.0;  // for a kilogram
+    constexpr double kMeanMm = 10.0;
+    const double top_mm = shape.height_mm - kStepMm;  // above it is the round of the lip
+    double thickest_mm = 0.0;
+    double sum_mm = 0.0;
+    int count = 0;
+    for (double y_mm = shape.floor_mm + kFromMm; !is_solid(shape) && y_mm < top_mm; y_mm += kStepMm) {
+        const pot::Wall wall = wall_at(shape, y_mm);
+        const pot::Wall low = wall_at(shape, y_mm - kStepMm);
+        const pot::Wall high = wall_at(shape, y_mm + kStepMm);
+        const double aside_mm = 0.5 * (high.outer_mm + high.inner_mm - low.outer_mm - low.inner_mm);
+        const double lean = aside_mm / (2.0 * kStepMm);
+        const double across_mm = (wall.outer_mm - wall.inner_mm) / std::hypot(1.0, lean);
+        thickest_mm = std::max(thickest_mm, across_mm);
+        sum_mm += across_mm;
+        ++count;
+    }
+    const double size = std::cbrt(volume_mm3(shape) / kKilogramMm3);
+    const bool is_thick = thickest_mm > kThickestMm * size || sum_mm > kMeanMm * size * count;
+    return is_thick ? static_cast<int>(std::lround(thickest_mm)) : 0;
+}
+
 screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,
                             const std::shared_ptr<const std::vector<screens::Exhibit>>& relatives,
                             std::optional<std::size_t> chosen) {
@@ -151,9 +176,10 @@ screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heri
     pot.is_after_relative = chosen && *chosen < targets.size();
     const std::size_t beside = pot.is_after_relative ? *chosen : heritage::nearest(form, targets).target;
     const heritage::Target& target = targets[beside];
-    const heritage::Advice advice = heritage::advise(
-        form, target,
-        pot.is_after_relative ? std::optional(heritage::size_on_this_wheel(target).fraction) : std::nullopt);
+    const auto fraction =
+        pot.is_after_relative ? std::optional(heritage::size_on_this_wheel(target).fraction) : std::nullopt;
+    const heritage::Advice advice = heritage::advise(form, target, fraction);
+    if (fraction) pot.off_outline_mm = heritage::profile_rms_mm(form, target, *fraction);
     pot.relative = {relatives, &(*relatives)[beside]};
     pot.good_key = heritage::good_key(advice);
     pot.next_key = heritage::next_key(advice);

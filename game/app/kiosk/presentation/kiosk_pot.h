@@ -41,6 +41,10 @@ class Lesson {
 // Thickness of the thinnest wall above the floor; 0 for solid clay.
 [[nodiscard]] double thinnest_wall_mm(const pot::Pot& shape);
 
+// The thickest wall, across its lean, from a little above the floor to the rim, in whole mm, if it or the
+// mean is too thick for a pot of that much clay; 0 if not, or for solid clay.
+[[nodiscard]] int thick_wall_mm(const pot::Pot& shape);
+
 // Returns the pot as it comes out of the kiln and, as its relative, the museum's pot that it was thrown after
 // (`chosen`) or else the most similar of `targets`. `relatives` is relatives_of(targets); if their sizes
 // differ, there is no relative.

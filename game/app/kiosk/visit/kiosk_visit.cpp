@@ -78,11 +78,15 @@ Result<void> KioskVisit::frame(double now_s) {
     const double frame_s = now_s - since_last_s;
     if (!std::exchange(has_begun_, true)) {
         state_ = visit::first_state(parts_.settings.rules, now_s);
+        began_s_ = now_s;
         tell_whether_idle();
     }
+    const haptic::Snapshot& snapshot = parts_.job.newest_snapshot();
+    const auto periods = static_cast<double>(snapshot.periods - std::exchange(periods_, snapshot.periods));
     const VisitMoment moment{.now_s = now_s,
                              .dt_s = std::clamp(frame_s, 0.0, kLongestFrameS),
-                             .snapshot = parts_.job.newest_snapshot()};
+                             .clay_s = std::min(periods / parts_.rate_hz, kLongestFrameS),
+                             .snapshot = snapshot};
     moment_ = &moment;
     desk_.see_frame(now_s, kMsPerS * frame_s, moment.snapshot);
     desk_.see_restless(input_.restless());
@@ -103,8 +107,13 @@ Result<void> KioskVisit::frame(double now_s) {
     return drawn;
 }
 
-// Nobody looks at the dim screen of a closed museum, so it shows ten pictures a second once it has faded.
+// Nobody looks at the dim screen of a closed museum, so it shows ten pictures a second once it has faded. And
+// the room without words would tell nobody at the start that it can be touched.
 bool KioskVisit::is_worth_drawing() {
+    constexpr double kWordsWithinS = 5.0;
+    if (stage_.shown() == nullptr && screens_.composer().latest() == nullptr &&
+        now_s_ - began_s_ < kWordsWithinS)
+        return false;
     constexpr double kFadedS = 5.0;
     constexpr double kEveryS = 0.1;
     if (!is_closed()) open_until_s_ = now_s_;

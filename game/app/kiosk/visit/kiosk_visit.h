@@ -70,8 +70,10 @@ class KioskVisit final : private VisitFlow {
     LogLines log_;
     const VisitMoment* moment_ = nullptr;  // of the present frame; null outside frame()
     double now_s_ = 0.0;
+    std::uint64_t periods_ = 0;  // of the haptic loop, up to the last frame
     double open_until_s_ = 0.0;  // the last moment at which the museum was open or somebody was there
     double drawn_s_ = 0.0;
+    double began_s_ = 0.0;    // the first frame
     bool has_begun_ = false;  // set in the first frame, when the time is known
     std::string title_;
     std::uint64_t frames_shown_ = 0;

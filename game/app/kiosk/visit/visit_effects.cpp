@@ -8,6 +8,7 @@
 #include "game/app/kiosk/keeping/kiosk_share.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/heritage/jar.h"
+#include "game/pot/set_aside.h"
 #include "game/visit/flow/step.h"
 
 namespace onggi::app {
@@ -156,6 +157,7 @@ void VisitEffects::apply_one(const effect::Wall& wall, const VisitMoment& moment
 
 void VisitEffects::apply_one(const effect::ForgetPot& /*effect*/) {
     pot_.reset();
+    kept_place_ = {};
     drawing_.forget();
     jar_.forget();
     phone_way_.reset();
@@ -166,6 +168,8 @@ void VisitEffects::apply_one(const effect::ForgetPot& /*effect*/) {
 void VisitEffects::apply_one(const effect::Resume& /*effect*/, const VisitMoment& moment) {
     wheel_.end_shows();
     thrown_ = true;
+    kept_place_ = {};
+    left_over_.reset();
     wheel_.rearm_force();
     wheel_.clay().expect_state(moment.snapshot);
     parts_.keeper.resume(wheel_.run());
@@ -184,6 +188,21 @@ std::optional<std::size_t> VisitEffects::thrown_after() const {
     const std::vector<std::size_t>& places = parts_.settings.exhibit_places;
     if (!target || static_cast<std::size_t>(*target) >= places.size()) return std::nullopt;
     return places[static_cast<std::size_t>(*target)];
+}
+
+std::optional<int> VisitEffects::place_of(const std::string& target_id) const {
+    const std::vector<std::size_t>& places = parts_.settings.exhibit_places;
+    const auto place = std::find_if(places.begin(), places.end(), [&](std::size_t row) {
+        return parts_.settings.targets[row].id == target_id;
+    });
+    return place != places.end() ? std::optional(static_cast<int>(place - places.begin())) : std::nullopt;
+}
+
+VisitPlace VisitEffects::place() const {
+    const std::optional<std::size_t> target = thrown_after();
+    return {.target = target ? parts_.settings.targets[*target].id : std::string(),
+            .glaze = flow_.state().glaze,
+            .is_cut_off = pot_ != nullptr || flow_.state().was_cut_off};
 }
 
 // The answer comes once after throwing, and again after trimming.
@@ -213,14 +232,13 @@ void VisitEffects::take(const KeeperAnswer::Interrupted& found) {
     interrupted_bowl_ = found.bowl;
     interrupted_drawing_ = found.drawn;
     const kiosk::JarStep step = kSteps[static_cast<std::size_t>(found.jar)];
-    const std::vector<std::size_t>& places = parts_.settings.exhibit_places;
-    const auto place = std::find_if(places.begin(), places.end(), [&](std::size_t row) {
-        return parts_.settings.targets[row].id == found.jar_target;
-    });
-    const bool is_jar = step != kiosk::JarStep::kNone && place != places.end();
-    if (!is_jar) return flow_.dispatch(event::InterruptedSession{});
-    flow_.dispatch(
-        event::InterruptedSession{kiosk::InterruptedJar{step, static_cast<int>(place - places.begin())}});
+    left_over_ = std::make_shared<const pot::Section>(pot::section_of(*found.pot));
+    event::InterruptedSession session{.pot = {.target = place_of(found.place.target),
+                                              .glaze = found.place.glaze,
+                                              .is_cut_off = found.place.is_cut_off}};
+    const std::optional<int> jar = place_of(found.jar_target);
+    if (step != kiosk::JarStep::kNone && jar) session.jar = {step, *jar};
+    flow_.dispatch(session);
 }
 
 void VisitEffects::take(const KeeperAnswer::SetAside& aside) {
@@ -260,6 +278,10 @@ void VisitEffects::take_answers() {
         std::visit(take_it, answer->what);
     }
     if (auto drawn = drawing_.take_to_keep()) parts_.keeper.keep_drawing(std::move(*drawn));
+    if (VisitPlace now = place(); now != kept_place_) {
+        kept_place_ = now;
+        parts_.keeper.keep_place(std::move(now));
+    }
     while (const auto answer = parts_.keeper.next_answer()) {
         if (!answer->words.empty()) answer->is_trouble ? flow_.warn(answer->words) : flow_.say(answer->words);
         std::visit(take_it, answer->what);

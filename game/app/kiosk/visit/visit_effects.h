@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "game/app/kiosk/staff/staff_desk.h"
@@ -36,6 +38,8 @@ class VisitEffects {
 
     // The visitor's fired pot; null before the firing.
     [[nodiscard]] const std::shared_ptr<const screens::FiredPot>& pot() const { return pot_; }
+    // The pot of an interrupted visit, until it is accepted or declined; null without one.
+    [[nodiscard]] const std::shared_ptr<const pot::Section>& left_over() const { return left_over_; }
     // The last kept pots, newest first.
     [[nodiscard]] const std::vector<screens::ShelfPot>& day() const { return day_; }
     [[nodiscard]] std::uint64_t pots_kept() const { return pots_kept_; }  // since the start
@@ -81,6 +85,7 @@ class VisitEffects {
     void apply_one(const kiosk::effect::ForgetPot& effect);
     void apply_one(const kiosk::effect::Resume& effect, const VisitMoment& moment);
     void apply_one(const kiosk::effect::DropInterrupted& /*effect*/) {
+        left_over_.reset();
         parts_.keeper.drop_interrupted_session();
     }
     void apply_one(const kiosk::effect::SetVolume& set) {
@@ -100,6 +105,9 @@ class VisitEffects {
     }
     // The target's index.
     [[nodiscard]] std::optional<std::size_t> thrown_after() const;
+    // The place on the shelf of that museum's pot; empty if it is not there.
+    [[nodiscard]] std::optional<int> place_of(const std::string& target_id) const;
+    [[nodiscard]] VisitPlace place() const;
     void write_session();
     // The keeper's answers.
     void take(const KeeperAnswer::CutOff& cut);
@@ -128,6 +136,8 @@ class VisitEffects {
     std::shared_ptr<const screens::FiredPot> pot_;
     std::shared_ptr<const pot::Pot> interrupted_bowl_;  // the first bowl of an interrupted jar
     std::shared_ptr<const decoration::Recorded> interrupted_drawing_;
+    std::shared_ptr<const pot::Section> left_over_;
+    VisitPlace kept_place_;  // as the keeper knows it
     std::vector<screens::ShelfPot> day_;
     bool may_be_trimmed_ = false;  // the pot will be cut off for the first time
     std::string kept_name_;        // the pot's name in the gallery

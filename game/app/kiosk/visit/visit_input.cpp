@@ -180,7 +180,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kFingerUp:
             if (const auto tool = bench_.lift(); tool && open_finger(flow_.state()) == Finger::kClay)
                 flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(visit::tray_place(*tool))});
-            finger_.release();
+            finger_.lift();
             break;
         case PointerNews::Kind::kHovered:
             hovered_s_ = now_s;

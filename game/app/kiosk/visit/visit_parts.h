@@ -40,8 +40,9 @@ struct VisitParts {
 
 // The data of a frame, with the only snapshot that the frame reads.
 struct VisitMoment {
-    double now_s;  // of the monotonic clock
-    double dt_s;   // since the last frame
+    double now_s;   // of the monotonic clock
+    double dt_s;    // since the last frame
+    double clay_s;  // of the clay since the last frame: less than dt_s where the haptic loop skips periods
     const haptic::Snapshot& snapshot;
 };
 

@@ -152,33 +152,49 @@ std::optional<screens::Cue> VisitScene::cue(const kiosk::State& state, const Vis
         cue.belt = std::move(*belt);
     }
     if (place->step) add_way(cue, shape, *place->step, side_of(state));
+    if (place->marker_mm) point_at(cue, shape, *place->marker_mm);
     return cue;
+}
+
+// Adds the arrow at the marker of the keys, in the direction in which its hand works there: down into the
+// middle, up from the rim of an open pot, or towards the wall.
+void VisitScene::point_at(screens::Cue& cue, const pot::Pot& shape, const dvec2& marker_mm) const {
+    const auto px = parts_.view.project({marker_mm.x, marker_mm.y, 0.0});
+    if (!px) return;
+    const bool is_right = marker_mm.x > 0.0;
+    const auto way = marker_mm.x == 0.0                                   ? screens::CueWay::kDown
+                     : marker_mm.y >= shape.height_mm && !is_solid(shape) ? screens::CueWay::kUp
+                     : is_right                                           ? screens::CueWay::kLeft
+                                                                          : screens::CueWay::kRight;
+    place_arrow(cue, way, vec2(*px), is_right ? 1.0F : -1.0F);
+}
+
+// `side`: of the axis, for the arrows beside the wall.
+void VisitScene::place_arrow(screens::Cue& cue, screens::CueWay way, vec2 at_px, float side) const {
+    constexpr float kTowardsU = 150.0F;
+    constexpr float kBesideU = 50.0F;
+    constexpr float kAboveU = 122.0F;
+    const float u = screens::px_per_u_of(parts_.view.width(), parts_.view.height());
+    cue.way = way;
+    cue.way_px = at_px + u * (way == screens::CueWay::kDown ? vec2(0.0F, -kAboveU)
+                              : way == screens::CueWay::kUp ? vec2(side * kBesideU, 0.0F)
+                                                            : vec2(side * kTowardsU, 0.0F));
 }
 
 // Adds the arrow of a step: towards the wall, down into the middle, or up beside the wall.
 void VisitScene::add_way(screens::Cue& cue, const pot::Pot& shape, int step, double side) const {
-    constexpr float kTowardsU = 150.0F;
-    constexpr float kBesideU = 50.0F;
-    constexpr float kAboveU = 122.0F;
     const CueHold hold = hold_of_step(shape, step);
     const double middle_mm = 0.5 * (hold.low_mm + hold.high_mm);
     const double edge_mm = hold.opening_mm > 0.0 ? 0.0 : side * wall_at(shape, middle_mm).outer_mm;
     const auto edge_px =
         parts_.view.project({edge_mm, hold.opening_mm > 0.0 ? hold.high_mm : middle_mm, 0.0});
     if (!edge_px) return;
-    const float u = screens::px_per_u_of(parts_.view.width(), parts_.view.height());
-    const float out = static_cast<float>(side);
     constexpr int kPresses = 0;
-    if (hold.opening_mm > 0.0) {
-        cue.way = screens::CueWay::kDown;
-        cue.way_px = vec2(*edge_px) - vec2(0.0F, kAboveU * u);
-    } else if (step == kPresses) {
-        cue.way = out > 0.0F ? screens::CueWay::kLeft : screens::CueWay::kRight;
-        cue.way_px = vec2(*edge_px) + vec2(out * kTowardsU * u, 0.0F);
-    } else {
-        cue.way = screens::CueWay::kUp;
-        cue.way_px = vec2(*edge_px) + vec2(out * kBesideU * u, 0.0F);
-    }
+    const auto way = hold.opening_mm > 0.0 ? screens::CueWay::kDown
+                     : step != kPresses    ? screens::CueWay::kUp
+                     : side > 0.0          ? screens::CueWay::kLeft
+                                           : screens::CueWay::kRight;
+    place_arrow(cue, way, vec2(*edge_px), static_cast<float>(side));
 }
 
 }  // namespace onggi::app

@@ -54,6 +54,8 @@ class VisitScene {
     [[nodiscard]] std::optional<screens::Cue> cue(const kiosk::State& state, const VisitMoment& moment,
                                                   const screens::Stage& stage);
     void add_way(screens::Cue& cue, const pot::Pot& shape, int step, double side) const;
+    void point_at(screens::Cue& cue, const pot::Pot& shape, const dvec2& marker_mm) const;
+    void place_arrow(screens::Cue& cue, screens::CueWay way, vec2 at_px, float side) const;
 
     const VisitParts& parts_;
     const VisitWheel& wheel_;

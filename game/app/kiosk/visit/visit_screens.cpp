@@ -61,6 +61,7 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     view.languages = parts_.settings.languages;
     view.exhibits = parts_.settings.exhibits;
     view.pot = effects_.pot();
+    if (state.screen == kiosk::Screen::kResume) view.left_over = effects_.left_over();
     view.phone = effects_.phone_way();
     view.has_wall = parts_.settings.rules.has_wall;
     add_shelf(view, state);

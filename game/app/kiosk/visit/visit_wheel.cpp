@@ -52,6 +52,7 @@ std::optional<ClayNews> KioskClay::look(const haptic::Snapshot& snapshot, kiosk:
     if (!is_there(snapshot)) return std::nullopt;
     ClayNews news{.steps_done = lesson_.steps_done(*snapshot.pot),
                   .is_solid = is_solid(*snapshot.pot),
+                  .thick_mm = thick_wall_mm(*snapshot.pot),
                   .warning = warning_of(snapshot.load, before)};
     const clay::studio::Failure& failure = snapshot.load.failure;
     const double height_mm = snapshot.pot->height_mm;
@@ -154,7 +155,7 @@ void VisitWheel::take_clay(const haptic::Snapshot& snapshot, bool holder_lives) 
     const std::optional<ClayNews> news = clay_.look(snapshot, flow_.state().throwing.warning);
     clay_is_there_ = news.has_value();
     if (!news) return;
-    flow_.dispatch(event::Progress{news->steps_done, news->is_solid});
+    flow_.dispatch(event::Progress{news->steps_done, news->is_solid, news->thick_mm});
     flow_.dispatch(event::Warned{news->warning});
     if (!news->gave_way) return;
     finger_.release();
@@ -199,7 +200,7 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
                                             .size = trims ? flow_.state().trimming.loop : throwing.tool,
                                             .water = throwing.water,
                                             .speed = throwing.speed},
-                                           *moment.snapshot.pot, moment.dt_s);
+                                           *moment.snapshot.pot, moment.clay_s);
     tool.wheel_button = step.turns_wheel && flow_.state().panel != Panel::kIdle;
     parts_.pointer.set_target(tool);
     soak(moment);
@@ -210,7 +211,7 @@ void VisitWheel::soak(const VisitMoment& moment) {
     const haptic::Snapshot& snapshot = moment.snapshot;
     const bool soaks = snapshot.tool.tool == tool::Tool::kSponge && snapshot.tool.guided &&
                        snapshot.result.grip.grip != clay::studio::Grip::kNone && !finger_.shows();
-    soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.dt_s : 0.0;
+    soaked_rad_ = soaks ? soaked_rad_ + snapshot.wheel_speed_rad_s * moment.clay_s : 0.0;
     if (soaked_rad_ < kTurn) return;
     soaked_rad_ = 0.0;
     flow_.dispatch(event::Soaked{});

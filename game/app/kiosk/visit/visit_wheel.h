@@ -20,6 +20,7 @@ namespace onggi::app {
 struct ClayNews {
     int steps_done = 0;  // of kiosk::kTeachingSteps
     bool is_solid = false;
+    int thick_mm = 0;  // of a wall that another pull would do good; 0: it is thin enough
     kiosk::Warning warning = kiosk::Warning::kNone;
     std::optional<kiosk::Warning> gave_way{};  // the cause; reported once
 };
