@@ -115,8 +115,9 @@ TEST(Archive, RejectsEveryChangedByteOfItsContent) {
         const auto name = reader->next();
         const auto content = name && *name ? reader->read(1000) : Result<std::string>(bad_input(""));
         // A byte of the head that means nothing may change; the name and the content may not.
-        if (content && *name == std::optional<std::string>("a.txt"))
+        if (content && *name == std::optional<std::string>("a.txt")) {
             EXPECT_EQ(*content, "Once upon a time there was a pot, and the pot was round and red.") << at;
+        }
         unnoticed += content ? 1 : 0;
     }
     EXPECT_LT(unnoticed, 60) << "of " << ends - begins;
