@@ -40,7 +40,7 @@ set(CPACK_DEBIAN_KIOSK_PACKAGE_CONTROL_EXTRA ${package}/onggi-kiosk/postinst ${p
 set(CPACK_COMPONENT_ONGGI_DESCRIPTION "potter's wheel that one can feel
 Pots are thrown on a wheel by stylus, force-feedback joystick, controller,
 mouse or touch screen; the clay yields, drags and pushes back. Sessions replay
-to the bit, and pots leave as glTF, STL and 3MF.
+to the bit, and pots leave as glTF, USDZ, STL and 3MF.
 
 This package holds the program, what it brings along, and the udev rules by
 which whoever sits at the machine may open the devices.")

@@ -345,8 +345,21 @@ function offerSharing(button, fetchFiles) {
 addEventListener('load', () => {
   const film = document.getElementById('film');
   if (film) film.onclick = (event) => { event.preventDefault(); if (!film.classList.contains('playing')) playFilm(film); };
-  const room = document.getElementById('ar');
-  if (room && /Android/.test(navigator.userAgent)) room.hidden = false;
+  const android = document.getElementById('ar');
+  if (android && /Android/.test(navigator.userAgent)) android.hidden = false;
+  const room = document.getElementById('room');
+  if (room && room.relList.supports('ar')) {
+    room.hidden = false;
+    // iOS opens the room at once only for a link around nothing but a picture; for others it shows the file first.
+    room.onclick = (event) => {
+      event.preventDefault();
+      const link = document.createElement('a');
+      link.rel = 'ar';
+      link.href = room.href;
+      link.append(document.createElement('img'));
+      link.click();
+    };
+  }
 
   const button = document.getElementById('share');
   const fetchFiles = button && sharedFiles([...document.querySelectorAll('.files a')]);

@@ -229,17 +229,6 @@ void add_xmp(tinygltf::Model& model, const About& about) {
     model.extensionsUsed.emplace_back(kExtension);
 }
 
-Result<void> check_material(const Material& material) {
-    const auto within = [](double number) { return number >= 0.0 && number <= 1.0; };
-    const dvec3& colour = material.base_colour_linear;
-    if (within(colour.x) && within(colour.y) && within(colour.z) && within(material.roughness) &&
-        within(material.metallic) && within(material.clearcoat.factor) &&
-        within(material.clearcoat.roughness)) {
-        return {};
-    }
-    return bad_input("glTF material: expected colour, roughness, metallic and clearcoat within 0 to 1");
-}
-
 Result<std::vector<std::byte>> write_in_memory(const tinygltf::Model& model) {
     std::ostringstream stream;
     try {
@@ -263,13 +252,10 @@ Result<std::vector<std::byte>> write_in_memory(const tinygltf::Model& model) {
 }  // namespace
 
 Result<std::vector<std::byte>> encode_glb(const GltfContent& content) {
-    if (const Result<void> good = check_mesh(content.mesh); !good) return good.error();
-    if (const Result<void> good = check_material(content.material); !good) return good.error();
-
+    if (const Result<void> good = check_content(content); !good) return good.error();
     const Textures& textures = content.material.textures;
-    if ((textures.are_there() && content.mesh.uvs.empty()) ||
-        (!textures.normal.empty() && content.mesh.tangents.empty()))
-        return bad_input("glTF: expected places in the pictures, and tangents where one is of normals");
+    if (!textures.normal.empty() && content.mesh.tangents.empty())
+        return bad_input("glTF: expected tangents where a picture is of normals, found none");
 
     tinygltf::Model model;
     model.asset.version = "2.0";

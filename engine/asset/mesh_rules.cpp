@@ -12,6 +12,17 @@ bool is_finite(const vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+Result<void> check_material(const Material& material) {
+    const auto within = [](double number) { return number >= 0.0 && number <= 1.0; };
+    const dvec3& colour = material.base_colour_linear;
+    if (within(colour.x) && within(colour.y) && within(colour.z) && within(material.roughness) &&
+        within(material.metallic) && within(material.clearcoat.factor) &&
+        within(material.clearcoat.roughness)) {
+        return {};
+    }
+    return bad_input("material: expected colour, roughness, metallic and clearcoat within 0 to 1");
+}
+
 }  // namespace
 
 Result<void> check_mesh(const Mesh& mesh) {
@@ -47,6 +58,13 @@ Result<void> check_mesh(const Mesh& mesh) {
         }
     }
     return {};
+}
+
+Result<void> check_content(const GltfContent& content) {
+    if (auto good = check_mesh(content.mesh); !good) return good;
+    if (content.material.textures.are_there() && content.mesh.uvs.empty())
+        return bad_input("mesh: expected places in the material's pictures, found none");
+    return check_material(content.material);
 }
 
 vec3 z_up_mm(const vec3& place_m) {

@@ -1,7 +1,7 @@
 // The rules that every writer checks a mesh against. Used inside engine/asset only.
 #pragma once
 
-#include "engine/asset/mesh.h"
+#include "engine/asset/gltf.h"
 #include "engine/core/result.h"
 
 namespace onggi::asset {
@@ -13,6 +13,10 @@ constexpr std::size_t kMaxTriangles = std::size_t{1} << 24;
 // Checks: at least one triangle, three indices per triangle, indices in range, a normal for each vertex,
 // finite numbers, sizes within the limits above. Error: kBadInput, naming the first violation.
 Result<void> check_mesh(const Mesh& mesh);
+
+// The same for all that GLB and USDZ need: also colour and factors within 0 to 1, and texture coordinates
+// where there are textures.
+Result<void> check_content(const GltfContent& content);
 
 // Converts a position to mm and +Z up by a quarter turn about X, which keeps a mesh right-handed and its
 // faces outwards. Never returns -0.

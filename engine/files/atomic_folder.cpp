@@ -6,13 +6,16 @@
 
 #include <cerrno>
 #include <charconv>
+#include <limits>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "engine/core/list_folder.h"
 #include "engine/core/quote.h"
+#include "engine/files/atomic_file.h"
 #include "engine/files/file_errors.h"
+#include "engine/files/read_file.h"
 
 namespace onggi::files {
 namespace {
@@ -24,10 +27,24 @@ Error lost(const fs::path& place, std::string_view doing, const std::error_code&
         fmt::format("{}: expected {}, found {}", shown_path(place.string()), doing, error.message()));
 }
 
+fs::path folder_around(const fs::path& place) {
+    return place.has_parent_path() ? place.parent_path() : fs::path(".");
+}
+
 Result<void> synced(const fs::path& folder) {
     if (const int error = sync_folder(folder); error != 0)
         return lost(folder, "to sync the folder", {error, std::generic_category()});
     return {};
+}
+
+// With all folders below.
+Result<void> synced_deep(const fs::path& folder) {
+    for (const fs::path& entry : list_folder(folder).entries) {
+        std::error_code ignored;
+        if (!fs::is_directory(fs::symlink_status(entry, ignored))) continue;
+        if (auto done = synced_deep(entry); !done) return done;
+    }
+    return synced(folder);
 }
 
 // Whether the name is that of a dead process's temporary AtomicFile, ".onggi-PROCESS-N.part".
@@ -69,9 +86,9 @@ Result<AtomicFolder> AtomicFolder::create(const fs::path& destination) {
 }
 
 Result<void> AtomicFolder::commit() {
-    if (auto done = synced(part_); !done) return done;
+    if (auto done = synced_deep(part_); !done) return done;
     // Before the renaming, after which nothing may fail for want of memory.
-    const fs::path around = destination_.has_parent_path() ? destination_.parent_path() : fs::path(".");
+    const fs::path around = folder_around(destination_);
     std::error_code error;
     fs::rename(part_, destination_, error);
     if (error) return lost(destination_, "to rename a folder into place", error);
@@ -91,6 +108,37 @@ Result<void> take_away_folder(const fs::path& folder) {
     if (error == std::errc::cross_device_link) fs::remove_all(folder, error);
     if (!error) fs::remove_all(part, error);
     if (error) return lost(folder, "to remove it", error);
+    return {};
+}
+
+namespace {
+
+Result<void> copy_into_place(const fs::path& from, const fs::path& destination) {
+    std::error_code error;
+    if (!fs::is_directory(from, error)) {
+        const auto bytes = read_file(from, std::numeric_limits<std::size_t>::max() / 2);
+        return bytes ? write_file_atomically(destination, *bytes) : Result<void>(bytes.error());
+    }
+    auto folder = AtomicFolder::create(destination);
+    if (!folder) return folder.error();
+    for (const fs::path& file : list_folder(from).entries)
+        if (auto copied = copy_into_place(file, folder->inside() / file.filename()); !copied) return copied;
+    return folder->commit();
+}
+
+}  // namespace
+
+Result<void> move_into_place(const fs::path& from, const fs::path& destination) {
+    const fs::path folder = folder_around(destination);
+    std::error_code error;
+    if (fs::create_directories(folder, error)) {
+        if (auto done = synced(folder_around(folder)); !done) return done;
+    }
+    fs::rename(from, destination, error);
+    if (!error) return synced(folder);
+    if (error != std::errc::cross_device_link) return lost(destination, "to rename it into place", error);
+    if (auto copied = copy_into_place(from, destination); !copied) return copied;
+    fs::remove_all(from, error);
     return {};
 }
 

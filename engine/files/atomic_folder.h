@@ -37,6 +37,11 @@ class AtomicFolder {
 // Errors: system lacks if it cannot be removed; bad input if it does not exist.
 Result<void> take_away_folder(const std::filesystem::path& folder);
 
+// Renames a file or a folder of files to `destination`, in a folder that is created if missing; on another
+// file system by a copy that appears whole. A file there is replaced. Errors as AtomicFolder::create() and
+// commit(); then `from` stays.
+Result<void> move_into_place(const std::filesystem::path& from, const std::filesystem::path& destination);
+
 // Removes every NAME.part folder in `around` (with `deep` also in its folders), and the temporary AtomicFile
 // files of dead processes. It decides by names alone, so that other files cost no system call each.
 void clear_parts(const std::filesystem::path& around, bool deep = false);

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
     onggi::app::add_devices_command(program, exit_status);
     onggi::app::add_doctor_command(program, exit_status);
     onggi::app::add_status_command(program, exit_status);
+    onggi::app::add_gallery_command(program, exit_status);
     onggi::app::add_manual_command(program, exit_status);
     return onggi::app::run_command_line(program, argc, argv, exit_status);
 }

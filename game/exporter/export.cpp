@@ -12,6 +12,7 @@
 
 #include "engine/asset/stl.h"
 #include "engine/asset/three_mf.h"
+#include "engine/asset/usdz.h"
 #include "game/exporter/pot_solid.h"
 #include "game/finish/clay_body.h"
 
@@ -22,8 +23,10 @@ struct KnownEnding {
     std::string_view ending;
     ExportKind kind;
 };
-constexpr std::array<KnownEnding, 3> kKnownEndings{
-    {{".glb", ExportKind::kGlb}, {".stl", ExportKind::kStl}, {".3mf", ExportKind::k3mf}}};
+constexpr std::array<KnownEnding, 4> kKnownEndings{{{".glb", ExportKind::kGlb},
+                                                    {".stl", ExportKind::kStl},
+                                                    {".3mf", ExportKind::k3mf},
+                                                    {".usdz", ExportKind::kUsdz}}};
 constexpr const char* kProgram = "Onggi " ONGGI_VERSION;
 
 char to_lower(char c) {
@@ -119,6 +122,8 @@ Result<std::vector<std::byte>> encode_pot(const Result<PotFile>& file, ExportKin
             return asset::encode_stl(mesh, file->title);
         case ExportKind::k3mf:
             return asset::encode_3mf(mesh, three_mf_words(*file), picture);
+        case ExportKind::kUsdz:
+            return asset::encode_usdz(file->content);
     }
     return bad_input("pot: expected a format, found none");
 }

@@ -1,6 +1,6 @@
-// A pot as files for other programs: GLB for the web and museums, STL and 3MF for 3D printers. pot_file()
-// makes the solid and the data about it, encode_pot() the bytes of each format; engine/files writes them to
-// disk. Any thread but the haptic one (it allocates).
+// A pot as files for other programs: GLB for the web and museums, USDZ for iPhones, STL and 3MF for 3D
+// printers. pot_file() makes the solid and the data about it, encode_pot() the bytes of each format;
+// engine/files writes them to disk. Any thread but the haptic one (it allocates).
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace onggi::exporter {
 
-enum class ExportKind { kGlb, kStl, k3mf };
+enum class ExportKind { kGlb, kStl, k3mf, kUsdz };
 
 // The kind for a path's extension, in any case. kBadInput for any other extension, listing the known ones.
 Result<ExportKind> export_kind_of(std::string_view path);
@@ -27,7 +27,7 @@ struct PotStory {
 };
 
 struct PotFile {
-    asset::GltfContent content;  // the solid; material and extras are for the GLB
+    asset::GltfContent content;  // the solid; material and extras are for GLB and USDZ
     std::string title{};         // for the STL's header and the 3MF
     std::string note{};          // for the 3MF: advice on printing; may be empty
 };

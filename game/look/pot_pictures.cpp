@@ -300,8 +300,8 @@ PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::
     return pictures;
 }
 
-Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::Firing stage,
-                                           const PotLook& look, exporter::PotStory story) {
+Result<exporter::PotFile> dressed_pot(const clay::StudioClay& clay, clay::Firing stage, const PotLook& look,
+                                      exporter::PotStory story) {
     const exporter::PotRings rings = exporter::rings_of(clay.rings());
     const double shrinkage = clay::shrunk_scale(clay.lump().body, stage);
     auto pot = exporter::viewed_solid(clay, stage);
@@ -330,9 +330,14 @@ Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::F
     }
     if (!done) return done.error();
     asset::order_for_drawing(pot->mesh);
-    return asset::encode_glb(exporter::pot_content("Pot, " + exporter::pot_name(clay.lump().body, stage),
-                                                   std::move(pot->mesh), std::move(material),
-                                                   exporter::pot_extras(clay, stage), std::move(story)));
+    return exporter::PotFile{.content = exporter::pot_content(
+                                 "Pot, " + exporter::pot_name(clay.lump().body, stage), std::move(pot->mesh),
+                                 std::move(material), exporter::pot_extras(clay, stage), std::move(story))};
+}
+
+Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::Firing stage,
+                                           const PotLook& look, exporter::PotStory story) {
+    return exporter::encode_pot(dressed_pot(clay, stage, look, std::move(story)), exporter::ExportKind::kGlb);
 }
 
 }  // namespace onggi::look

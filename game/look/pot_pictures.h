@@ -69,7 +69,11 @@ struct PotPictures {
 [[nodiscard]] PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::PotRings& rings,
                                double shrinkage, const PotLook& look);
 
-// The pot as a GLB with its look and its story, at the size of its stage. kBadInput: see build_pot_solid().
+// The pot with its look and its story, at the size of its stage, for GLB and USDZ. kBadInput: see
+// build_pot_solid().
+[[nodiscard]] Result<exporter::PotFile> dressed_pot(const clay::StudioClay& clay, clay::Firing stage,
+                                                    const PotLook& look, exporter::PotStory story = {});
+// The same as a GLB.
 [[nodiscard]] Result<std::vector<std::byte>> dressed_glb(const clay::StudioClay& clay, clay::Firing stage,
                                                          const PotLook& look, exporter::PotStory story = {});
 

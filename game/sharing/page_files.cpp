@@ -14,7 +14,7 @@ constexpr char letter_of(ShareEvent event) {
     return static_cast<char>(event);
 }
 
-constexpr std::array<PageFile, 22> kFiles{{
+constexpr std::array<PageFile, 23> kFiles{{
     {"index.html", kHtml, true, letter_of(ShareEvent::kPageOpened)},
     {"page.css", "text/css; charset=utf-8", true},
     {"pot.js", "text/javascript; charset=utf-8", true},
@@ -30,6 +30,7 @@ constexpr std::array<PageFile, 22> kFiles{{
     {"pot.png", "image/png"},
     {"pot.jpg", "image/jpeg"},
     {"pot.glb", "model/gltf-binary", true, letter_of(ShareEvent::kModelTaken)},
+    {"pot.usdz", "model/vnd.usdz+zip", false, letter_of(ShareEvent::kModelTaken)},
     {"pot.stl", "model/stl", true, letter_of(ShareEvent::kPrintTaken)},
     {"pot.3mf", "model/3mf", false, letter_of(ShareEvent::kPrintTaken)},
     {"pot.svg", "image/svg+xml", true},

@@ -90,9 +90,9 @@ Result<PageFolder> PageFolder::of(const SharedPot& pot) {
     const struct {
         const FileContent& content;
         const char* name;
-    } plain[] = {{pot.model_glb, "pot.glb"},   {pot.print_stl, "pot.stl"},     {pot.print_3mf, "pot.3mf"},
-                 {pot.film, "film.webp"},      {pot.film_mp4, "film.mp4"},     {pot.drawing_svg, "pot.svg"},
-                 {pot.drawing_pdf, "pot.pdf"}, {pot.measures_json, "pot.json"}};
+    } plain[] = {{pot.model_glb, "pot.glb"},   {pot.model_usdz, "pot.usdz"}, {pot.print_stl, "pot.stl"},
+                 {pot.print_3mf, "pot.3mf"},   {pot.film, "film.webp"},      {pot.film_mp4, "film.mp4"},
+                 {pot.drawing_svg, "pot.svg"}, {pot.drawing_pdf, "pot.pdf"}, {pot.measures_json, "pot.json"}};
     for (const auto& file : plain) {
         if (!file.content.is_given()) continue;
         if (auto added = folder.add(file.content, file.name); !added) return added.error();

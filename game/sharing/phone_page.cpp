@@ -236,16 +236,25 @@ class Page {
             word("phone.share"));
     }
 
-    // A link to Android's Scene Viewer, which needs the model over https. The script shows it if the phone
-    // has that viewer. iOS would need USDZ, which is not written.
+    // Links to Android's Scene Viewer and to iOS's AR Quick Look, by https only. The script shows the one
+    // whose viewer the phone has.
     [[nodiscard]] std::string augmented() const {
-        if (!is_https() || !pot_.model_glb.is_given()) return {};
-        return fmt::format(
-            "<a class=\"token\" id=\"ar\" hidden "
-            "href=\"intent://arvr.google.com/scene-viewer/1.0?file={0}pot.glb"
-            "&amp;mode=ar_preferred#Intent;scheme=https;package=com.google.android.googlequicksearchbox;"
-            "action=android.intent.action.VIEW;S.browser_fallback_url={0};end;\"><span>{1}</span></a>\n",
-            html(facts_.page_url), word("phone.ar"));
+        if (!is_https()) return {};
+        std::string links;
+        if (pot_.model_usdz.is_given()) {
+            links = fmt::format(
+                "<a class=\"token\" id=\"room\" hidden rel=\"ar\" href=\"pot.usdz\"><span>{}</span></a>\n",
+                word("phone.ar"));
+        }
+        if (!pot_.model_glb.is_given()) return links;
+        return links + fmt::format(
+                           "<a class=\"token\" id=\"ar\" hidden "
+                           "href=\"intent://arvr.google.com/scene-viewer/1.0?file={0}pot.glb"
+                           "&amp;mode=ar_preferred#Intent;scheme=https;package=com.google.android."
+                           "googlequicksearchbox;"
+                           "action=android.intent.action.VIEW;S.browser_fallback_url={0};end;\"><span>{1}</"
+                           "span></a>\n",
+                           html(facts_.page_url), word("phone.ar"));
     }
 
     [[nodiscard]] std::string size(std::string_view key, double value, int decimals,

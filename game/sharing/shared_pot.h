@@ -42,6 +42,7 @@ struct SharedPot {
     FileContent picture{};     // to save; also the poster if there is none
     FileContent poster{};      // shown first, small: some 20 kB
     FileContent model_glb{};   // 3D model
+    FileContent model_usdz{};  // the same for iPhones; offered by https only
     FileContent print_stl{};   // for printing
     FileContent print_3mf{};   // for printing
     FileContent film{};        // animated WebP of the making

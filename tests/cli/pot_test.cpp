@@ -104,7 +104,8 @@ TEST_F(PotOnTheCommandLine, ExportsAtItsStage) {
     expect_one_line(
         onggi({"throw", kPressAndHold, "--clay", "paper", "--fired", "glaze", "--export", "x.glb"}), 2,
         "--fired: expected the studio clay");
-    expect_one_line(onggi({"throw", "bowl.onggi", "--export", "x.obj"}), 2, "ends in .glb, .stl or .3mf");
+    expect_one_line(onggi({"throw", "bowl.onggi", "--export", "x.obj"}), 2,
+                    "ends in .glb, .stl, .3mf or .usdz");
 }
 
 TEST_F(PotOnTheCommandLine, IsThrownFromAnotherBody) {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <sstream>
 
 #include "game/clay/studio/pot.h"
 #include "game/exporter/pot_faces.h"
@@ -73,6 +75,47 @@ TEST(DressedPot, IsASoundSolidOfTheClaysVolumeSmallEnoughForAPhone) {
         EXPECT_LE(gzipped(bytes), 1'000'000U) << pot.name;
         const bool shines = pot.stage == clay::Firing::kWet || pot.stage == clay::Firing::kGlaze;
         EXPECT_EQ(file->json.at("materials").at(0).contains("extensions"), shines) << pot.name;
+    }
+}
+
+// By its scene's text: the GLB's vertices, triangles and extent.
+TEST(DressedPot, IsTheSameMeshForIPhones) {
+    for (const char* name : {"studio_cylinder_glazed", "studio_vase_bisque", "studio_lump"}) {
+        const StudioSample& pot = sample(name);
+        const auto file = look::dressed_pot(
+            pot.clay, pot.stage,
+            look::lathe_look(wheel::clay_material(pot.clay.lump().body, pot.stage), "clay"));
+        const auto usdz = exporter::encode_pot(file, exporter::ExportKind::kUsdz);
+        ASSERT_TRUE(usdz) << name << ": " << usdz.error().message;
+        const std::string text(reinterpret_cast<const char*>(usdz->data()), usdz->size());
+        // The list behind that word, up to its closing bracket.
+        const auto numbers_of = [&](const std::string& word) {
+            const std::size_t begin = text.find(word + " = [") + word.size() + 4;
+            std::string list = text.substr(begin, text.find(']', begin) - begin);
+            std::replace_if(
+                list.begin(), list.end(), [](char c) { return c == ',' || c == '(' || c == ')'; }, ' ');
+            std::istringstream in(list);
+            return std::vector<double>(std::istream_iterator<double>(in), {});
+        };
+        const asset::Mesh& mesh = file->content.mesh;
+        const auto glb = support::read_glb(dressed(pot));
+        ASSERT_TRUE(glb);
+        EXPECT_EQ(numbers_of("points").size(), 3 * glb->mesh.positions_m.size()) << name;
+        EXPECT_EQ(numbers_of("normals").size(), 3 * mesh.normals.size()) << name;
+        EXPECT_EQ(numbers_of("primvars:st").size(), 2 * mesh.uvs.size()) << name;
+        EXPECT_EQ(numbers_of("faceVertexCounts"), std::vector<double>(mesh.triangle_count(), 3.0)) << name;
+        const auto indices = numbers_of("faceVertexIndices");
+        EXPECT_TRUE(
+            std::equal(indices.begin(), indices.end(), glb->mesh.indices.begin(), glb->mesh.indices.end()))
+            << name;
+        const auto extent = numbers_of("extent");
+        ASSERT_EQ(extent.size(), 6U);
+        constexpr double kMicrometre = 1e-6;
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(extent[static_cast<std::size_t>(axis)], glb->stated_min_m[axis], kMicrometre) << name;
+            EXPECT_NEAR(extent[static_cast<std::size_t>(axis) + 3], glb->stated_max_m[axis], kMicrometre)
+                << name;
+        }
     }
 }
 

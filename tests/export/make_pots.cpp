@@ -52,7 +52,8 @@ bool add_paper_pot(const std::filesystem::path& folder, const support::PotSample
                    nlohmann::json& expected) {
     const auto file = exporter::pot_file(pot.rings());
     if (!write_print(folder / pot.name, file) ||
-        !write(folder / (pot.name + ".glb"), exporter::encode_pot(file, exporter::ExportKind::kGlb)))
+        !write(folder / (pot.name + ".glb"), exporter::encode_pot(file, exporter::ExportKind::kGlb)) ||
+        !write(folder / (pot.name + ".usdz"), exporter::encode_pot(file, exporter::ExportKind::kUsdz)))
         return false;
     const auto built = exporter::build_pot_solid(pot.rings());
     if (!built) return false;
@@ -78,7 +79,10 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
         !write(folder / (pot.name + ".svg"), drawing) ||
         !write(folder / (pot.name + ".pdf"),
                look::pot_drawing(pot.clay, pot.stage, ui::VectorKind::kPdf, "House of Clay. CC BY 4.0")) ||
-        !write(folder / (pot.name + ".glb"), look::dressed_glb(pot.clay, pot.stage, worn)))
+        !write(folder / (pot.name + ".glb"), look::dressed_glb(pot.clay, pot.stage, worn)) ||
+        !write(
+            folder / (pot.name + ".usdz"),
+            exporter::encode_pot(look::dressed_pot(pot.clay, pot.stage, worn), exporter::ExportKind::kUsdz)))
         return false;
     const double scale = 1e-3 * clay::shrunk_scale(body, pot.stage);
     const auto built = exporter::viewed_solid(pot.clay, pot.stage);
@@ -96,7 +100,7 @@ bool add_studio_pot(const std::filesystem::path& folder, const support::StudioSa
     return true;
 }
 
-// A pot with all that its files can say, as GLB, 3MF, STL, PNG and an animated WebP.
+// A pot with all that its files can say, as GLB, USDZ, 3MF, STL, PNG and an animated WebP.
 bool add_told_pot(const std::filesystem::path& folder, const support::StudioSample& pot,
                   nlohmann::json& expected) {
     const exporter::PotStory story{
@@ -131,7 +135,9 @@ bool add_told_pot(const std::filesystem::path& folder, const support::StudioSamp
         !write(folder / "told.webp", asset::picture_about(*webp, story.about)) ||
         !write(folder / "told.mp4", asset::picture_about(*mp4, story.about)) ||
         !write(folder / "told.svg", asset::picture_about(*drawing, story.about)) ||
-        !write(folder / "told.glb", look::dressed_glb(pot.clay, pot.stage, worn, story)))
+        !write(folder / "told.glb", look::dressed_glb(pot.clay, pot.stage, worn, story)) ||
+        !write(folder / "told.usdz", exporter::encode_pot(look::dressed_pot(pot.clay, pot.stage, worn, story),
+                                                          exporter::ExportKind::kUsdz)))
         return false;
     expected.push_back(
         {{"name", "told"},

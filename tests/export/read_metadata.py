@@ -1,8 +1,9 @@
 """read_metadata.py FOLDER [EXIFTOOL [FFPROBE]]: what the files named `told` of make_pots say about themselves, by readers that
-share no code with their writers: exiftool for PNG, WebP, MP4 and SVG, ffprobe for MP4, Python's zipfile and XML parser for 3MF, its
-JSON for GLB. Missing programs are empty words."""
+share no code with their writers: exiftool for PNG, WebP, MP4 and SVG, ffprobe for MP4, Python's zipfile for 3MF and USDZ, its XML
+parser and its JSON for GLB. Missing programs are empty words."""
 
 import json
+import re
 import struct
 import subprocess
 import sys
@@ -87,10 +88,33 @@ def check_glb(file):
     expect(node["extras"]["session_hash"], "0123456789abcdef", f"{file}: session")
 
 
+def check_usdz(file):
+    data = file.read_bytes()
+    with zipfile.ZipFile(file) as archive:
+        expect(archive.testzip(), None, f"{file}: checksums")
+        for entry in archive.infolist():
+            name_and_extra = sum(struct.unpack_from("<2H", data, entry.header_offset + 26))
+            expect((entry.header_offset + 30 + name_and_extra) % 64, 0, f"{file}: {entry.filename}: place")
+            expect(entry.compress_type, zipfile.ZIP_STORED, f"{file}: {entry.filename}: compression")
+        names = archive.namelist()
+        scene = archive.read(names[0]).decode()
+    expect(names[0], "pot.usda", f"{file}: first file")
+    expect(sorted(re.findall("@([^@]*)@", scene)), sorted(names[1:]), f"{file}: pictures")
+    said = dict(re.findall(r'string "([^"]*)" = "([^"]*)"', scene))
+    for term in ("Title", "Title-ko", "Title-ar", "Description", "Rights", "Rights-ko", "Date", "Identifier", "Relation"):
+        expect(said.pop(term.lower(), None), TERMS[term], f"{file}: {term}")
+    expect(said.pop("copyright"), "House of Clay. CC BY 4.0", f"{file}: copyright")
+    expect(said.pop("onggi-session_hash"), "0123456789abcdef", f"{file}: session")
+    known = {"creator", "publisher", "publisher-en", "publisher-ko", "title-en", "description-en", "description-ko",
+             "rights-en", "onggi-body", "onggi-stage", "onggi-glaze", "onggi-date"}
+    expect(set(said) - known, set(), f"{file}: nothing else")
+
+
 def main():
     folder = Path(sys.argv[1])
     check_glb(folder / "told.glb")
     check_3mf(folder / "told.3mf")
+    check_usdz(folder / "told.usdz")
     exiftool, ffprobe = (sys.argv[2:] + ["", ""])[:2]
     if exiftool:
         for name in ("told.png", "told.webp", "told.mp4", "told.svg"):

@@ -8,6 +8,7 @@
 #include "game/app/kiosk/gallery/interrupted_session.h"
 #include "game/app/kiosk/gallery/jar_keeping.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "game/app/kiosk/gallery/moving_house.h"
 #include "game/app/kiosk/gallery/visit_journal.h"
 #include "game/app/kiosk/gallery/wall_of_the_day.h"
 #include "game/app/kiosk/health/house_status.h"
@@ -36,6 +37,9 @@ constexpr const char* kSharedMark = "before";
 constexpr std::ptrdiff_t kFilesOfAPage = 23;
 constexpr std::ptrdiff_t kFilesOfAFilm = 2;
 constexpr const char* kKeptAlready = "2026-11-25/pot-001";
+constexpr const char* kDayOfMoved = "2026-11-22";
+constexpr const char* kMoved = "2026-11-22/pot-001";
+constexpr std::int64_t kNoonOfMovedS = kNoonS - 3 * 86'400;
 
 haptic::HapticParameters parameters() {
     haptic::HapticParameters found;
@@ -178,6 +182,37 @@ bool keep_a_jar(const fs::path& museum) {
     return true;
 }
 
+// Settings with room for the pots of two galleries.
+kiosk::Config moving_config(const fs::path& museum) {
+    kiosk::Config config = config_of(museum);
+    config.gallery.most_pots = 100;
+    config.sharing.public_url = "http://pots.example";
+    config.sharing.outbox = (museum / "outbox").string();
+    return config;
+}
+
+fs::path archive_of(const fs::path& museum) {
+    return museum / "moved.zip";
+}
+
+bool import_a_gallery(const fs::path& museum) {
+    auto archive = files::ArchiveReader::open(archive_of(museum));
+    return archive &&
+           app::import_gallery(std::move(*archive), moving_config(museum), kNoonS, [](auto, auto) {});
+}
+
+// Another museum's gallery.
+void lay_out_archive(const fs::path& museum) {
+    const fs::path other = museum / "other";
+    ASSERT_TRUE(app::Gallery(config_of(other)).keep(pot_to_keep(), kDayOfMoved));
+    ASSERT_TRUE(app::note_visit(gallery_of(other) / "statistics", {.dwell_s = 50}, kNoonOfMovedS));
+    auto outbox = sharing::Outbox::open(outbox_of(other));
+    ASSERT_TRUE(outbox);
+    ASSERT_TRUE(outbox->put(support::full_pot("moved"), {.now_s = kNoonS - 60, .expires_s = kNoonS + 3600}));
+    ASSERT_TRUE(app::export_gallery(moving_config(other), archive_of(museum), [](auto, auto) {}));
+    fs::remove_all(other);
+}
+
 // With the portrait, and the visit's count.
 bool keep_beside_the_frame(const fs::path& museum) {
     kiosk::Config config = config_of(museum);
@@ -280,8 +315,18 @@ bool is(const Deed& deed, const char* name) {
     return std::string_view(deed.name) == name;
 }
 
+bool outbox_has_moved(const fs::path& museum) {
+    for (const auto& page : fs::directory_iterator(museum / "outbox")) {
+        const fs::path model = page.path() / "pot.glb";
+        if (fs::exists(model) && test::content_of(model).starts_with("glTF moved")) return true;
+    }
+    return false;
+}
+
 void expect_sound_gallery(const fs::path& museum, const Deed& deed, bool said_done) {
     const app::Gallery gallery(config_of(museum));
+    const auto finished = app::finish_import(moving_config(museum));
+    EXPECT_TRUE(finished) << finished.error().message;
     gallery.clear_parts();
     std::set<std::string> names;
     for (const app::KeptPot& pot : gallery.pots()) {
@@ -304,6 +349,13 @@ void expect_sound_gallery(const fs::path& museum, const Deed& deed, bool said_do
     if (is(deed, "keep beside the frame")) {
         EXPECT_TRUE(names.size() == 3 || !said_done);
     }
+    // All of the archive has come in, or nothing.
+    const bool has_moved = names.contains(kMoved);
+    const app::UseOfDay use = app::use_of(gallery.folder() / "statistics", kDayOfMoved);
+    EXPECT_EQ(use.total().visits, has_moved ? 1 : 0);
+    EXPECT_EQ(outbox_has_moved(museum), has_moved);
+    EXPECT_EQ(has_moved, is(deed, "import a gallery") && (said_done || has_moved));
+    EXPECT_FALSE(fs::exists(gallery.folder() / "import"));
     for (const auto& entry : fs::recursive_directory_iterator(gallery.folder())) {
         const std::string name = entry.path().filename().string();
         const bool is_a_visit = entry.path().parent_path().filename() == "state";
@@ -335,7 +387,8 @@ void expect_sound_outbox(const fs::path& museum, const Deed& deed, bool said_don
     // The phones' thread goes by the machine's clock, by which the old page may be over.
     EXPECT_TRUE(has_old || (gives_way && has_new) || is(deed, "share beside the frame"))
         << "a shared pot is gone";
-    const bool shares = gives_way || is(deed, "share a pot") || is(deed, "share beside the frame");
+    const bool shares = gives_way || is(deed, "share a pot") || is(deed, "share beside the frame") ||
+                        is(deed, "import a gallery");
     EXPECT_TRUE(shares ? has_new || !said_done : !has_new);
     for (const auto& entry : fs::directory_iterator(museum / "outbox"))
         EXPECT_FALSE(entry.path().string().ends_with(".part")) << entry.path() << " is left behind";
@@ -444,6 +497,10 @@ std::vector<Deed> deeds() {
             {"keep a fault", &keep_a_fault}};
 }
 
+std::vector<Deed> deeds_of_staff() {
+    return {{"import a gallery", &import_a_gallery}};
+}
+
 std::vector<Deed> deeds_of_threads() {
     return {{"keep beside the frame", &keep_beside_the_frame},
             {"share beside the frame", &share_beside_the_frame}};
@@ -483,6 +540,7 @@ void lay_out(const fs::path& museum) {
     std::vector<std::string> remarks;
     static_cast<void>(starts.begin_now(remarks));
     ASSERT_TRUE(starts.end_now());
+    lay_out_archive(museum);
 }
 
 void expect_sound(const fs::path& museum, const Deed& deed, bool said_done) {

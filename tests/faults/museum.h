@@ -19,13 +19,16 @@ struct Deed {
     std::function<bool(const std::filesystem::path&)> act;
 };
 [[nodiscard]] std::vector<Deed> deeds();
+// Those that the staff does while the kiosk stands still.
+[[nodiscard]] std::vector<Deed> deeds_of_staff();
 // Those that the kiosk's own threads do: the keeper and the phones'.
 [[nodiscard]] std::vector<Deed> deeds_of_threads();
 
 [[nodiscard]] kiosk::Config config_of(const std::filesystem::path& museum);
 
 // Two pots, one of them shared and on the wall; visits that were counted; what the staff has set; a visit
-// that was interrupted; the first bowl of a jar; a heartbeat.
+// that was interrupted; the first bowl of a jar; a heartbeat; and the archive of another
+// gallery, with one pot, its page and its visit.
 void lay_out(const std::filesystem::path& museum);
 
 // Checks that the kiosk starts there, finds everything that lay_out() made except what the action removes,

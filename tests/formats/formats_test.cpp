@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "engine/files/archive.h"
 #include "engine/files/read_file.h"
 #include "game/app/kiosk/gallery/jar_keeping.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "game/app/kiosk/gallery/moving_house.h"
 #include "game/app/kiosk/gallery/visit_journal.h"
 #include "game/app/kiosk/gallery/wall_of_the_day.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
@@ -243,6 +246,44 @@ TEST(Statistics, AreWrittenAsTheNewestVersion) {
           std::pair("attract_breaks.csv", "attract_breaks-1.csv")})
         EXPECT_EQ(first_line(test::content_of(folder / written)),
                   first_line(test::content_of(sample(std::string("statistics/") + newest))));
+}
+
+// The archive's files by their names.
+std::map<std::string, std::string> files_of(const fs::path& archive) {
+    std::map<std::string, std::string> files;
+    auto reader = files::ArchiveReader::open(archive);
+    EXPECT_TRUE(reader) << reader.error().message;
+    while (reader) {
+        const auto name = reader->next();
+        EXPECT_TRUE(name) << name.error().message;
+        if (!name || !*name) break;
+        const auto content = reader->read(10'000);
+        EXPECT_TRUE(content) << content.error().message;
+        files[**name] = content ? *content : "";
+    }
+    return files;
+}
+
+// Its pots have sessions of every version.
+TEST(Archives, OfVersion1AreImportedAndWritten) {
+    const test::TemporaryFolder folder;
+    kiosk::Config config;
+    config.gallery.folder = (folder / "gallery").string();
+    config.gallery.least_free_mb = 1.0;
+    config.sharing.public_url = "http://pots.example";
+    config.sharing.outbox = (folder / "outbox").string();
+    constexpr std::int64_t kNoonS = 1'795'608'000;
+    const auto nothing = [](auto, auto) {};
+    auto reader = files::ArchiveReader::open(sample("archive/1.zip"));
+    ASSERT_TRUE(reader) << reader.error().message;
+    const auto moved = app::import_gallery(std::move(*reader), config, kNoonS, nothing);
+    ASSERT_TRUE(moved) << moved.error().message;
+    EXPECT_EQ(moved->pots, 3U);
+    EXPECT_EQ(moved->pages, 1U);
+    EXPECT_EQ(moved->days, 1U);
+    EXPECT_EQ(app::kept_pots(folder / "gallery").size(), 3U);
+    ASSERT_TRUE(app::export_gallery(config, folder / "again.zip", nothing));
+    EXPECT_EQ(files_of(folder / "again.zip"), files_of(sample("archive/1.zip")));
 }
 
 }  // namespace

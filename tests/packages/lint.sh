@@ -57,5 +57,6 @@ complete_words() {
 }
 [ "$(complete_words onggi th)" = throw ] || { echo "expected bash to know the commands"; exit 1; }
 [ "$(complete_words onggi throw --fired gl)" = glaze ] || { echo "expected bash to know the stages"; exit 1; }
+[ "$(complete_words onggi gallery ex)" = export ] || { echo "expected bash to know the words of a command"; exit 1; }
 [ "$(complete_words onggi film --qu)" = --quick ] || { echo "expected bash to know the options"; exit 1; }
 echo "lintian, man, groff, desktop-file-validate, appstreamcli and bash have no complaint"

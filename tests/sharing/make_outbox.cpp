@@ -77,7 +77,8 @@ Result<sharing::ShareCode> put(const Words& words) {
     const ui::Painting painting = app::portrait(fired.shape, glaze, kPortraitPx);
     auto picture = asset::encode_png(
         {.width = painting.width, .height = painting.height, .rgba = painting.rgba});  // opaque
-    auto model = app::glazed_model(**clay, *material, fired.shape.marks.get());
+    auto model = exporter::encode_pot(app::glazed_model(**clay, *material, fired.shape.marks.get()),
+                                      exporter::ExportKind::kGlb);
     auto print =
         exporter::encode_pot(exporter::pot_file(**clay, clay::Firing::kGlaze), exporter::ExportKind::kStl);
     if (!picture) return picture.error();

@@ -33,6 +33,9 @@ void add_doctor_command(CLI::App& program, int& exit_status);
 // Reports the state of a kiosk from its files. Exit code 0 if it is well, 1 if it is not, 2 if its settings
 // are wrong, 3 if they or its files cannot be read.
 void add_status_command(CLI::App& program, int& exit_status);
+// Exports a kiosk's gallery as one archive, or imports one. Exit code 2 if the archive is refused, 3 if there
+// is no room, no permission, or the kiosk runs.
+void add_gallery_command(CLI::App& program, int& exit_status);
 // Writes the program's manual page and completion, for the installation. Not listed in --help.
 void add_manual_command(CLI::App& program, int& exit_status);
 

@@ -17,6 +17,7 @@
 #include "game/app/command_line/options.h"
 #include "game/app/devices/attached_devices.h"
 #include "game/app/devices/haptic_guard.h"
+#include "game/app/kiosk/gallery/moving_house.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/presentation/demonstrations.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
@@ -188,6 +189,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     const std::filesystem::path state = state_folder(settings->config.gallery.folder);
     GalleryLock lock;
     if (auto taken = lock.take(state); !taken) return taken.error();
+    if (auto finished = finish_import(settings->config); !finished) warn(finished.error().message);
     StartKeeper starts(state);
     const StartReport start_report = starts.begin_now(settings->remarks);
     PictureNote picture(state);

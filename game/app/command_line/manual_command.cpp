@@ -148,8 +148,10 @@ std::string bash_completion(const CLI::App& program) {
         commands += (commands.empty() ? "" : " ") + command->get_name();
         std::string options;
         std::string values;
+        std::string first;  // the words of a first argument
         for (const CLI::Option* option : command->get_options()) {
             const std::string names = with_dashes(*option);
+            if (names.empty()) first += words_of(*option);
             if (names.empty() || option->get_group().empty()) continue;
             options += (options.empty() ? "" : " ") + names;
             if (is_flag(*option)) continue;
@@ -160,6 +162,8 @@ std::string bash_completion(const CLI::App& program) {
             values +=
                 fmt::format("            {}) {} {} ;;\n", any, how, words.empty() ? "" : "'" + words + "'");
         }
+        if (!first.empty())
+            values += fmt::format("            {}) words '{} {}' ;;\n", command->get_name(), first, options);
         cases += fmt::format(
             "    {})\n        case $before in\n{}            *) options_or_files '{}' ;;\n        esac\n     "
             "   ;;\n",

@@ -4,14 +4,18 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <initializer_list>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "engine/core/number_in.h"
 #include "engine/core/quote.h"
+#include "game/app/command_line/finding.h"
 #include "game/app/devices/attached_devices.h"
+#include "game/app/kiosk/kiosk_settings.h"
 #include "game/clay/paper_clay.h"
 #include "game/clay/studio/lump.h"
 #include "game/exporter/studio_export.h"
@@ -67,6 +71,37 @@ std::vector<std::pair<std::string, T>> named(std::initializer_list<T> values, Na
 }
 
 }  // namespace
+
+void add_gallery_options(CLI::App& command, GalleryChoice& choice) {
+    command
+        .add_option("--config", choice.config,
+                    fmt::format("settings of the kiosk; default: those in {}, if present", kUsualSettings))
+        ->type_name("FILE.toml");
+    command.add_option("--gallery", choice.gallery, "the folder of its pots, overriding the settings")
+        ->type_name("FOLDER");
+}
+
+Result<kiosk::Config> settings_of(const GalleryChoice& choice) {
+    std::error_code error;
+    kiosk::Config config;
+    const std::string file = choice.config.empty() ? kUsualSettings : choice.config;
+    if (!choice.config.empty() || std::filesystem::exists(file, error)) {
+        auto read = read_config_file(file);
+        if (!read) return read;
+        config = std::move(*read);
+    }
+    if (!choice.gallery.empty()) config.gallery.folder = choice.gallery;
+    return config;
+}
+
+CLI::Option* add_word_option(CLI::App& command, const std::string& name,
+                             const std::vector<std::string>& words, std::string& word,
+                             const std::string& description) {
+    std::vector<std::pair<std::string, std::string>> themselves;
+    for (const std::string& one : words)
+        themselves.emplace_back(one, one);
+    return add_choice(command, name, themselves, word, description);
+}
 
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, std::optional<double>& number,
                                double least, double most, const std::string& description) {

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/result.h"
 #include "engine/render/quality.h"
 #include "game/clay/studio/pot.h"
+#include "game/kiosk/config.h"
 #include "game/wheel/still.h"
 
 // Only declared: including CLI11 costs ten seconds of compile time, so only files that register options
@@ -40,6 +42,12 @@ struct InputOptions {
     StartPot start = {};                      // in place of a lump
 };
 
+// The gallery of a kiosk, by its settings.
+struct GalleryChoice {
+    std::string config;   // empty: the usual file, if present
+    std::string gallery;  // overrides the settings' folder, if not empty
+};
+
 struct PictureSize {
     int width = 1280;
     int height = 720;
@@ -71,6 +79,14 @@ CLI::Option* add_backend_option(CLI::App& command, std::optional<render::Backend
 CLI::Option* add_device_option(CLI::App& command, std::string& word, const std::string& first = "mouse");
 // --view; requires `picture`, the option that requests a picture.
 void add_view_option(CLI::App& command, wheel::StillView& view, CLI::Option* picture);
+
+void add_gallery_options(CLI::App& command, GalleryChoice& choice);  // --config, --gallery
+// The settings that add_gallery_options() chose. Errors as read_config_file().
+[[nodiscard]] Result<kiosk::Config> settings_of(const GalleryChoice& choice);
+// An option whose value is one of `words`.
+CLI::Option* add_word_option(CLI::App& command, const std::string& name,
+                             const std::vector<std::string>& words, std::string& word,
+                             const std::string& description);
 
 // An option with a decimal number within bounds: no hexadecimal, no "nan", independent of the locale.
 CLI::Option* add_number_option(CLI::App& command, const std::string& name, std::optional<double>& number,

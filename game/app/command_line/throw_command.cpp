@@ -83,7 +83,7 @@ void add_throw_command(CLI::App& program, int& exit_status) {
     ThrowOutputs& outputs = options->outputs;
     add_output("--profile", outputs.profile, "F.csv", "the pot's outline, one row per element");
     add_output("--forces", outputs.forces, "F.csv", "the forces, one row per tick");
-    add_output("--export", outputs.model, "F.glb|F.stl|F.3mf", "the pot as a solid");
+    add_output("--export", outputs.model, "F.glb|F.stl|F.3mf|F.usdz", "the pot as a solid");
     CLI::Option* screenshot =
         add_output("--screenshot", outputs.screenshot, "F.png", "a picture; needs Vulkan");
     add_size_option(*command, outputs.size)->needs(screenshot);

@@ -226,11 +226,12 @@ Result<asset::Image> picture_of(const ThrowOutputs& outputs, const haptic::Hapti
 Result<std::vector<std::byte>> model_bytes(const haptic::HapticState& state, exporter::ExportKind kind,
                                            clay::Firing stage, const asset::Image* picture) {
     const clay::StudioClay* studio = state.studio();
-    if (kind == exporter::ExportKind::kGlb && studio != nullptr) {
+    const bool is_viewed = kind == exporter::ExportKind::kGlb || kind == exporter::ExportKind::kUsdz;
+    if (is_viewed && studio != nullptr) {
         const clay::ClayBody body = studio->lump().body;
-        return look::dressed_glb(
-            *studio, stage,
-            look::lathe_look(wheel::clay_material(body, stage), exporter::pot_name(body, stage)));
+        const look::PotLook worn =
+            look::lathe_look(wheel::clay_material(body, stage), exporter::pot_name(body, stage));
+        return exporter::encode_pot(look::dressed_pot(*studio, stage, worn), kind);
     }
     return exporter::encode_pot(studio != nullptr ? exporter::pot_file(*studio, stage)
                                                   : exporter::pot_file(exporter::rings_of(

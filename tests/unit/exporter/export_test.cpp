@@ -25,7 +25,7 @@ TEST(ExportKindOf, RejectsOtherEndingsAndNamesThoseKnown) {
         ASSERT_FALSE(kind) << path;
         EXPECT_EQ(kind.error().kind, ErrorKind::kBadInput);
         EXPECT_EQ(kind.error().message,
-                  std::string(path) + ": expected a name that ends in .glb, .stl or .3mf");
+                  std::string(path) + ": expected a name that ends in .glb, .stl, .3mf or .usdz");
     }
 }
 

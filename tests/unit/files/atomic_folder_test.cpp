@@ -125,5 +125,33 @@ TEST(AtomicFolder, TakesAwayFilesBesideOfProcessesThatAreNoMore) {
     EXPECT_FALSE(fs::exists(folder / left));
 }
 
+TEST(MoveIntoPlace, ReplacesAFileAndMakesTheFolderAround) {
+    const test::TemporaryFolder folder;
+    test::put_file(folder / "new", "new");
+    fs::create_directories(folder / "here");
+    test::put_file(folder / "here/file", "old");
+    ASSERT_TRUE(move_into_place(folder / "new", folder / "here/file"));
+    EXPECT_EQ(test::content_of(folder / "here/file"), "new");
+    ASSERT_TRUE(move_into_place(folder / "here/file", folder / "there/below/file"));
+    EXPECT_EQ(test::content_of(folder / "there/below/file"), "new");
+    EXPECT_FALSE(move_into_place(folder / "none", folder / "here/file"));
+}
+
+TEST(MoveIntoPlace, CopiesToAnotherDiskWhole) {
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder / "pot/inner");
+    test::put_file(folder / "pot/inner/file", "clay");
+    fs::create_directories(folder / "disk");
+    const std::string answer = test::in_child([&]() -> std::string {
+        if (!test::mount_small_disk((folder / "disk").string(), 64 << 10)) return "no mounts";
+        const auto moved = move_into_place(folder / "pot", folder / "disk/deep/pot");
+        if (!moved) return moved.error().message;
+        if (fs::exists(folder / "pot")) return "the old one is still there";
+        return test::content_of(folder / "disk/deep/pot/inner/file");
+    });
+    if (answer == "no mounts") GTEST_SKIP() << "no mounts of its own";
+    EXPECT_EQ(answer, "clay");
+}
+
 }  // namespace
 }  // namespace onggi::files

@@ -106,6 +106,12 @@ TEST(PhonePage, OffersAugmentedRealityByHttpsOnly) {
     EXPECT_TRUE(has(page, "id=\"ar\" hidden")) << "the script shows it where there is a viewer";
     EXPECT_TRUE(has(page, "id=\"share\" type=\"button\" hidden"))
         << "the script shows it where files are shared";
+    EXPECT_FALSE(has(page, "pot.usdz")) << "there is none";
+    sharing::SharedPot for_iphones = support::full_pot("x");
+    for_iphones.model_usdz.bytes = support::bytes_of("PK usdz");
+    EXPECT_TRUE(has(page_of(for_iphones, 0, "https://museum.org/pots/K73FQ9TX/"),
+                    "id=\"room\" hidden rel=\"ar\" href=\"pot.usdz\""));
+    EXPECT_FALSE(has(page_of(for_iphones, 0, "http://museum.org/pots/K73FQ9TX/"), "pot.usdz"));
 }
 
 TEST(PhonePage, LoadsOnlyFilesOfItsFolder) {

@@ -21,6 +21,7 @@ TEST(ShareRequest, FindsAPotByItsCodeAlone) {
     EXPECT_EQ(page.code->text(), "K73FQ9TX");
     EXPECT_EQ(page.file.name, "index.html");
     EXPECT_EQ(get("/K73FQ9TX/pot.glb").file.media_type, "model/gltf-binary");
+    EXPECT_EQ(get("/K73FQ9TX/pot.usdz").file.media_type, "model/vnd.usdz+zip");
     EXPECT_EQ(get("/K73FQ9TX/pot.glb?from=qr").file.name, "pot.glb");
     EXPECT_EQ(get("/K73FQ9TX/ko.html").file.name, "ko.html");
     EXPECT_EQ(get("/K73FQ9TX/zh-Hant.html").file.name, "zh-Hant.html");

@@ -1,8 +1,9 @@
-// Loads ?pot=NAME with three.js's own loader, draws it once, and leaves in window.found what it saw. ?room=1 puts it
-// into a room that glazes mirror.
+// Loads ?pot=NAME with three.js's own loader, draws it once, and leaves in window.found what it saw. ?usdz loads the
+// USDZ in place of the GLB. ?room=1 puts it into a room that glazes mirror.
 import * as THREE from 'three';
 import { RoomEnvironment } from '/three/examples/jsm/environments/RoomEnvironment.js';
 import { GLTFLoader } from '/three/examples/jsm/loaders/GLTFLoader.js';
+import { USDLoader } from '/three/examples/jsm/loaders/USDLoader.js';
 
 const SIZE_PX = 480;
 const BACKGROUND = 0x202428;
@@ -17,7 +18,7 @@ function describe(gltf) {
         min: box.min.toArray(),
         max: box.max.toArray(),
         meshes: meshes.length,
-        triangles: geometry.index.count / 3,
+        triangles: (geometry.index ?? geometry.attributes.position).count / 3,
         identity: mesh.matrixWorld.equals(new THREE.Matrix4()),
         generator: gltf.asset.generator,
         extras: gltf.asset.extras,
@@ -33,6 +34,13 @@ function describe(gltf) {
             tangents: meshes[0].geometry.hasAttribute('tangent'),
         },
     };
+}
+
+/** The pictures of a USDZ come in after its scene, and nothing tells when. */
+async function picturesOf(scene) {
+    const textures = [];
+    scene.traverse((node) => { if (node.isMesh) textures.push(...Object.values(node.material).filter((value) => value?.isTexture)); });
+    while (textures.some((texture) => !texture.image)) await new Promise((resolve) => { setTimeout(resolve, 20); });
 }
 
 function draw(gltf, inRoom) {
@@ -81,7 +89,9 @@ function look(renderer) {
 try {
     const asked = new URLSearchParams(location.search);
     const name = asked.get('pot');
-    const gltf = await new GLTFLoader().loadAsync(`/pots/${name}.glb`);
+    const gltf = asked.has('usdz') ? { scene: await new USDLoader().loadAsync(`/pots/${name}.usdz`), asset: {} }
+        : await new GLTFLoader().loadAsync(`/pots/${name}.glb`);
+    if (asked.has('usdz')) await picturesOf(gltf.scene);
     const facts = describe(gltf);
     window.found = { ...facts, ...look(draw(gltf, asked.has('room'))) };
 } catch (problem) {

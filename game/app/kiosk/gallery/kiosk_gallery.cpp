@@ -24,14 +24,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the number in "pot-014", or 0 for any other name.
-int number_of(const std::string& name) {
+}  // namespace
+
+int pot_number(std::string_view name) {
     constexpr std::string_view kPrefix = "pot-";
     if (!name.starts_with(kPrefix)) return 0;
-    return number_in<int>(std::string_view(name).substr(kPrefix.size())).value_or(0);
+    return number_in<int>(name.substr(kPrefix.size())).value_or(0);
 }
 
-}  // namespace
+int next_pot_number(const fs::path& day) {
+    int number = 1;
+    for (const fs::path& entry : list_folder(day).entries)
+        number = std::max(number, pot_number(entry.filename().string()) + 1);
+    return number;
+}
 
 asset::Image straight_picture(ui::Painting painting) {
     asset::Image image{.width = painting.width, .height = painting.height, .rgba = std::move(painting.rgba)};
@@ -45,14 +51,14 @@ asset::Image straight_picture(ui::Painting painting) {
     return image;
 }
 
-Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
-                                            const decoration::Marks* marks, exporter::PotStory story) {
+Result<exporter::PotFile> glazed_model(const clay::StudioClay& clay, const finish::GlazeMaterial& glaze,
+                                       const decoration::Marks* marks, exporter::PotStory story) {
     constexpr clay::Firing kStage = clay::Firing::kGlaze;
     const auto height_mm =
         static_cast<float>(clay.height_mm() * clay::shrunk_scale(clay.lump().body, kStage));
     look::PotLook worn = look::glaze_look(glaze, height_mm);
     if (marks != nullptr) worn = look::marked_look(std::move(worn), *marks, glaze.marks, height_mm);
-    return look::dressed_glb(clay, kStage, worn, std::move(story));
+    return look::dressed_pot(clay, kStage, worn, std::move(story));
 }
 
 std::string today() {
@@ -66,7 +72,8 @@ std::string day_of(std::int64_t s) {
 Gallery::Gallery(const kiosk::Config& config)
     : folder_(config.gallery.folder),
       most_pots_(config.gallery.most_pots),
-      least_free_mb_(config.gallery.least_free_mb) {}
+      least_free_mb_(config.gallery.least_free_mb),
+      for_phones_rooms_(config.sharing.public_url.starts_with("https://")) {}
 
 void Gallery::clear_parts() const {
     constexpr bool kInDays = true;
@@ -94,7 +101,7 @@ std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
     for (const fs::path& day : entries_of(folder)) {
         if (!fs::is_directory(day, ignored)) continue;
         for (const fs::path& pot : entries_of(day)) {
-            if (const int number = number_of(pot.filename().string()); number != 0)
+            if (const int number = pot_number(pot.filename().string()); number != 0)
                 found.push_back({{day.filename().string(), number}, pot});
         }
     }
@@ -105,6 +112,13 @@ std::vector<KeptPot> kept_pots(const fs::path& folder, std::string* trouble) {
     for (Aged& pot : found)
         pots.push_back({pot.folder, pot.age.first + "/" + pot.folder.filename().string()});
     return pots;
+}
+
+Result<void> Gallery::expect_free(double more_mb) const {
+    const double free = free_mb();
+    if (free >= least_free_mb_ + more_mb) return {};
+    return system_lacks(fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(),
+                                    least_free_mb_ + more_mb, free));
 }
 
 Result<void> Gallery::remove(const KeptPot& pot) {
@@ -146,13 +160,8 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
     if (error)
         return system_lacks(fmt::format("{}: expected a folder to save in, found none: {}",
                                         (folder_ / today).string(), error.message()));
-    if (const double free = free_mb(); free < least_free_mb_) {
-        return system_lacks(
-            fmt::format("{}: expected {:.0f} MB free, found {:.0f}", folder_.string(), least_free_mb_, free));
-    }
-    int number = 1;
-    for (const fs::path& entry : list_folder(folder_ / today).entries)
-        number = std::max(number, number_of(entry.filename().string()) + 1);
+    if (auto room = expect_free(); !room) return room.error();
+    int number = next_pot_number(folder_ / today);
     const auto place_of = [&] { return folder_ / today / fmt::format("pot-{:03}", number); };
     // If the disk fails, the listing may be incomplete.
     while (fs::exists(place_of(), error))
@@ -178,6 +187,7 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (auto written = files::write_file_atomically(folder->inside() / name, *bowl); !written)
             return written.error();
     }
+    using enum exporter::ExportKind;
     const exporter::PotStory story = dated_story(std::move(pot.story), *pot.history, today);
     {
         // Frees the picture's pixels and the solid before the GLB's pictures and solid are made.
@@ -187,15 +197,17 @@ Result<int> Gallery::keep(PotToKeep pot, const std::string& today) {
         if (auto written = write("pot.png", asset::picture_about(*plain, story.about)); !written)
             return written.error();
         const auto print = exporter::pot_file(*pot.clay, clay::Firing::kGlaze, story);
-        using enum exporter::ExportKind;
         if (auto written = write("pot.3mf", exporter::encode_pot(print, k3mf, &portrait)); !written)
             return written.error();
         if (auto written = write("pot.stl", exporter::encode_pot(print, kStl)); !written)
             return written.error();
     }
-    if (auto written = write("pot.glb", glazed_model(*pot.clay, *pot.glaze, pot.marks.get(), story));
-        !written)
-        return written.error();
+    const auto model = glazed_model(*pot.clay, *pot.glaze, pot.marks.get(), story);
+    if (auto written = write("pot.glb", exporter::encode_pot(model, kGlb)); !written) return written.error();
+    if (for_phones_rooms_) {
+        if (auto written = write("pot.usdz", exporter::encode_pot(model, kUsdz)); !written)
+            return written.error();
+    }
     if (auto done = folder->commit(); !done) return done.error();
     // Only now: a pot that cannot be kept deletes no other. Without memory the old ones wait for the next.
     static_cast<void>(within_memory("gallery", [&]() -> Result<void> {

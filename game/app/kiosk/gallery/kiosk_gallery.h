@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/asset/image.h"
@@ -42,6 +43,10 @@ struct KeptPot {
                                              std::string* trouble = nullptr);
 [[nodiscard]] double free_mb_at(const std::filesystem::path& folder);
 
+// The number in "pot-014", or 0 for any other name; the number of the next pot in that day's folder.
+[[nodiscard]] int pot_number(std::string_view name);
+[[nodiscard]] int next_pot_number(const std::filesystem::path& day);
+
 class Gallery {
   public:
     // `today` is the folder of the day, "2026-11-21". Reads no pot, so that its duration does not depend on
@@ -51,9 +56,9 @@ class Gallery {
     // Deletes partial pots of a killed program. Call it once, before the first pot is kept.
     void clear_parts() const;
 
-    // Writes pot.onggi, pot.glb, pot.stl, pot.3mf and pot.png, for a jar of two bowls also bowl-1.onggi and
-    // bowl-2.onggi. Returns the pot's number of the day, from 1. System lacks: less free space than the
-    // configuration reserves, or no permission; then nothing is written.
+    // Writes pot.onggi, pot.glb, pot.stl, pot.3mf and pot.png, behind https also pot.usdz, for a jar of two
+    // bowls also bowl-1.onggi and bowl-2.onggi. Returns the pot's number of the day, from 1. System lacks:
+    // less free space than the configuration reserves, or no permission; then nothing is written.
     Result<int> keep(PotToKeep pot, const std::string& today);
     // Newest first. If the folder cannot be listed completely, returns the listed pots and sets `trouble` to
     // one line; otherwise leaves it unchanged.
@@ -62,6 +67,8 @@ class Gallery {
     }
     Result<void> remove(const KeptPot& pot);
     [[nodiscard]] double free_mb() const { return free_mb_at(folder_); }
+    // System lacks: less free space than the configuration reserves beside `more_mb`.
+    [[nodiscard]] Result<void> expect_free(double more_mb = 0.0) const;
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   private:
@@ -70,13 +77,14 @@ class Gallery {
     std::filesystem::path folder_;
     int most_pots_;
     double least_free_mb_;
+    bool for_phones_rooms_;  // pages are behind https, which iPhones ask for to show a pot in their room
 };
 
-// The pot as in pot.glb: glaze-fired with its glaze. Errors as look::dressed_glb().
-[[nodiscard]] Result<std::vector<std::byte>> glazed_model(const clay::StudioClay& clay,
-                                                          const finish::GlazeMaterial& glaze,
-                                                          const decoration::Marks* marks = nullptr,
-                                                          exporter::PotStory story = {});
+// The pot as in pot.glb: glaze-fired with its glaze. Errors as look::dressed_pot().
+[[nodiscard]] Result<exporter::PotFile> glazed_model(const clay::StudioClay& clay,
+                                                     const finish::GlazeMaterial& glaze,
+                                                     const decoration::Marks* marks = nullptr,
+                                                     exporter::PotStory story = {});
 
 // Converts a painting from premultiplied to straight alpha, as files have it.
 [[nodiscard]] asset::Image straight_picture(ui::Painting painting);

@@ -202,6 +202,8 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
     pot.gallery_name = kept.gallery_name;
     pot.picture.path = folder / "pot.png";
     pot.model_glb.path = folder / "pot.glb";
+    if (std::error_code error; std::filesystem::exists(folder / "pot.usdz", error))
+        pot.model_usdz.path = folder / "pot.usdz";
     pot.print_stl.path = folder / "pot.stl";
     pot.print_3mf.path = folder / "pot.3mf";
     asset::About about = pot_story(*kept.pot, kept.glaze, settings_).about;
