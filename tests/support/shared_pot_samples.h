@@ -49,9 +49,9 @@ inline sharing::SharedPot full_pot(const std::string& mark) {
     pot.print_3mf.bytes = bytes_of("PK\x03\x04 3MF " + mark);
     pot.film.bytes = bytes_of("RIFF....WEBP film " + mark);
     pot.film_mp4.bytes = bytes_of("....ftyp film " + mark);
-    pot.drawing_svg.bytes = bytes_of("<svg> drawing " + mark + std::string(4000, 'd'));
+    pot.drawing_svg.bytes = bytes_of("<svg> drawing " + mark + std::string(400, 'd'));
     pot.drawing_pdf.bytes = bytes_of("%PDF drawing " + mark);
-    pot.measures_json.bytes = bytes_of("{} " + mark + std::string(4000, ' '));
+    pot.measures_json.bytes = bytes_of("{} " + mark + std::string(400, ' '));
     pot.film_still.bytes = like_a_png("still " + mark);
     pot.surface.bytes = like_a_png("surface " + mark);
     pot.film_s = 8.0;
