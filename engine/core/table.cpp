@@ -128,6 +128,13 @@ Result<Table> parse_table(std::string_view text, std::string_view name, std::str
             if (const std::string found = joined(table.columns); !header.empty() && found != header)
                 return at_row(name, 1,
                               fmt::format("expected the header {}, found {}", header, in_quotes(found)));
+            // A cell may hold the commas of the header: all of it, where another sign is more frequent.
+            const auto wanted = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
+            if (!header.empty() && table.columns.size() != wanted) {
+                return at_row(name, 1,
+                              fmt::format("expected {} columns, found {} between {}", wanted,
+                                          table.columns.size(), in_quotes({&delimiter, 1})));
+            }
             continue;
         }
         if (fields->empty()) continue;

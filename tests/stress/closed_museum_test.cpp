@@ -118,6 +118,8 @@ TEST_F(Museum, ShowsTenPicturesASecondWhileItIsClosedAndAllOfThemToSomebody) {
             kiosk.frame();
         return kiosk.frames_shown() - before;
     };
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.frames_shown() > 0; }))
+        << "the first picture waits for its words";
     EXPECT_EQ(shown_in_two_seconds(), 120U);
     minute = 18 * kHourMin;
     ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_closed(); }));

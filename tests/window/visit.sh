@@ -90,8 +90,10 @@ begin_visit
 [ "$hand" = keys ] && through_languages
 case $hand in
 touch)  # the pot itself, above its card
+    at choose other 0  # stands beside the pot's foot
+    foot_y=$y
     at choose target 0
-    click "$x" $((height * 42 / 100))
+    click "$x" "$foot_y"
     ;;
 keys) press choose target 1 ;;
 *) press choose free ;;

@@ -51,6 +51,7 @@ TEST(Table, TakesQuotesBetweenTabsForTextUnlessOneIsDoubled) {
 TEST(Table, RejectsAnotherHeader) {
     EXPECT_EQ(refusal("a,b\n1,2\n"), "t.csv:1: expected the header a,b,c, found 'a,b'");
     EXPECT_EQ(refusal(""), "t.csv:1: expected the header a,b,c, found ''");
+    EXPECT_EQ(refusal("a,b,c;;;;\nx\n"), "t.csv:1: expected 3 columns, found 1 between ';'");
     EXPECT_EQ(refusal("a,b\xc2\xa0,c\n1,2,3\n"),
               "t.csv:1: expected the header a,b,c, found 'a,b\\xc2\\xa0,c'");
 }
