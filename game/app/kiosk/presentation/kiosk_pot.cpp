@@ -22,7 +22,7 @@ constexpr double kOpenedBoreMm = 24.0;   // in the middle of that depth, to the 
 constexpr double kRaisedFraction = 1.4;  // of the height at the opening
 constexpr double kRaisedMm = 75.0;       // or this height in any case
 constexpr double kDrawnWallMm = 9.5;     // of a raised wall in the mean, for a kilogram
-constexpr double kTallMm = 165.0;        // or so tall, however thick: a narrow opening lets no wall get thin
+constexpr double kTallMm = 190.0;        // or so tall, however thick: a narrow opening lets no wall get thin
 constexpr double kKilogramMm3 = 1000.0 / clay::studio::kDensityGPerMm3;
 
 double volume_mm3(const pot::Pot& shape) {
