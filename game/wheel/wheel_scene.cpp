@@ -336,10 +336,10 @@ void show_hands(ecs::Registry& registry, FrameContext& context) {
         scene.prop_library = shelf.library;
         as_ball = !shelf.has_tools() || context.seen.pot->top_mm.empty();
     });
-    const std::array<DrawnHand, 2> in_loop = hands_of(*context.snapshot);
+    context.hands = hands_of(*context.snapshot);
     registry.each<Hand>([&](ecs::Entity entity, Hand& hand) {
         const Led* led = registry.find<Led>(entity);
-        DrawnHand drawn = led != nullptr ? led->hand : in_loop[hand.is_second ? 1 : 0];
+        DrawnHand drawn = led != nullptr ? led->hand : context.hands[hand.is_second ? 1 : 0];
         drawn.shown = drawn.shown && !hand.is_away && !hold_wire;
         meet(drawn, *context.seen.pot);
         hand.pose.follow(drawn, context.dt_s);
@@ -375,7 +375,7 @@ void show_slip(ecs::Registry& registry, FrameContext& context, bool moves_less) 
     const bool touches = is_thrown && snapshot.result.forces.contacts > 0;
     registry.each<Splashed>([&](ecs::Entity, Splashed& splashed) {
         splashed.splash.follow({.film = touches ? snapshot.hand_film : 0.0,
-                                .from_mm = hands_of(snapshot)[0].position_mm,
+                                .from_mm = context.hands[0].position_mm,
                                 .wheel_speed_rad_s = snapshot.wheel_speed_rad_s},
                                context.dt_s, moves_less);
         for (const mat4& place : splashed.splash.places())

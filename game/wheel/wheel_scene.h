@@ -38,7 +38,8 @@ struct FrameContext {
     double dt_s = 0.0;    // since the previous frame; 0: everything is at its goal, as in a still
     render::Scene scene;  // its spans point into the seen pot and the Clay component
     SeenPot seen;
-    pot::Pot stacked;  // the clay with the pot that is held over it
+    std::array<DrawnHand, 2> hands;  // of the snapshot
+    pot::Pot stacked;                // the clay with the pot that is held over it
 };
 
 // The light levels at an evening of 0 to 1: the sun goes, the window dims, a warm lamp stays on the wheel.

@@ -46,6 +46,12 @@ class Decorators : public testing::Test {
         EXPECT_TRUE(px);
         return px.value_or(dvec2(0.0));
     }
+    // A kiosk on a copy of the disk offers the pot to the next visitor.
+    static bool offers_to_resume(UnseenKiosk& again) {
+        if (!again.until([&] { return again.state().interrupted_session; }, kSlowly)) return false;
+        again.touch();
+        return again.until([&] { return again.shown_screen() == Screen::kResume; }, kSlowly);
+    }
     // The picture, with the pointer on the ledge.
     asset::Image still() {
         EXPECT_TRUE(kiosk.point_at(Button::kUndo));
@@ -235,9 +241,7 @@ TEST_F(Decorators, FindTheirStrokesAfterAPowerCut) {
     const test::TemporaryFolder after;
     fs::copy(folder.path(), after.path(), fs::copy_options::recursive);
     UnseenKiosk again(after.path());
-    ASSERT_TRUE(again.until([&] { return again.state().interrupted_session; }, kSlowly));
-    again.touch();
-    ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kResume; }, kSlowly));
+    ASSERT_TRUE(offers_to_resume(again));
     ASSERT_TRUE(again.press(Button::kResumeGo));
     ASSERT_TRUE(again.dries()) << "it was cut off already";
     ASSERT_TRUE(again.until([&] { return again.state().decorating.strokes == 2; }, kSlowly))
@@ -267,9 +271,7 @@ TEST_F(Decorators, FindDecorationAndGlazeAfterAPowerCutWhileThePotIsKept) {
     const test::TemporaryFolder after;
     fs::copy(folder.path(), after.path(), fs::copy_options::recursive);
     UnseenKiosk again(after.path());
-    ASSERT_TRUE(again.until([&] { return again.state().interrupted_session; }, kSlowly));
-    again.touch();
-    ASSERT_TRUE(again.until([&] { return again.shown_screen() == Screen::kResume; }, kSlowly));
+    ASSERT_TRUE(offers_to_resume(again));
     EXPECT_TRUE(again.shown_view()->left_over) << "the pot itself, and no lump";
     ASSERT_TRUE(again.press(Button::kResumeGo));
     ASSERT_TRUE(again.dries()) << "the throwing is over";

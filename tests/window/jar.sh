@@ -29,6 +29,7 @@ throw_a_bowl() {
 
 begin_visit
 press choose shelf-next; on_screen choose
+pause 20  # time to look at the next page, whose title is the same
 # The jar is the fourth museum's pot on the shelf, whose next page begins with the first unseen pot.
 seen=$(grep -c '^choose target ' targets)
 press choose-next target "$(awk '$1 == "choose-next" && $2 == "target" { print $3 }' targets | sed -n "$((4 - seen))p")"
