@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "game/clay/studio/grip.h"
-#include "game/clay/studio/moves.h"
+#include "game/clay/studio/grip_moves.h"
 #include "game/clay/studio/rings.h"
 
 namespace onggi::clay::studio {
@@ -20,7 +20,6 @@ constexpr double kGripStepS = kGripStages * kGripStageS;
 
 constexpr double kThumbsMm = 17.0;      // radius of the thumbs that open solid clay
 constexpr double kStartsAfterMm = 3.0;  // way of the hands before a wall moves
-constexpr double kFloorMm = 11.0;       // thickness left when a pot is opened
 
 // The finger's path, which the hands walk behind it. Without it a rim would jump to the finger's distance at
 // the wrong height.
@@ -66,21 +65,10 @@ struct GripState {
     int stage = 0;          // of the step, 0 to kGripStages - 1
 };
 
-// Outer radius of the ring at that height; of the rim if y is above it.
-double outer_face_mm(const Rings& rings, double y_mm) noexcept;
 // Ends the touch within this tick.
 void let_go(GripState& state) noexcept;
 // The report for a display.
 GripReport report_of(const GripState& state, const dvec2& finger_mm) noexcept;
-
-// Work space of the moves, one entry a ring. Not state.
-struct GripSpace {
-    explicit GripSpace(int capacity);
-
-    std::vector<double> wanted_mm;
-    std::vector<double> second_mm;
-    std::vector<double> weight;
-};
 
 // Conditions of the clay that scale the hands' moves.
 struct GripClimate {
