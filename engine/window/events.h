@@ -4,6 +4,8 @@
 
 #include <variant>
 
+#include "engine/math/math.h"
+
 namespace onggi::window {
 
 enum class Key {
@@ -67,8 +69,21 @@ struct CloseEvent {};
 struct FocusEvent {
     bool focused = false;
 };
+enum class TouchPhase { kBegin, kMove, kEnd };
+// A second finger on a touch screen, while another one is the pointer. It may stay after that one has lifted.
+struct SecondFingerEvent {
+    TouchPhase phase = TouchPhase::kBegin;
+    double x_px = 0.0;
+    double y_px = 0.0;
+};
 
-using Event =
-    std::variant<KeyEvent, ButtonEvent, PointerEvent, ScrollEvent, ResizeEvent, CloseEvent, FocusEvent>;
+using Event = std::variant<KeyEvent, ButtonEvent, PointerEvent, ScrollEvent, ResizeEvent, CloseEvent,
+                           FocusEvent, SecondFingerEvent>;
+
+// A pen that moves the pointer.
+struct Pen {
+    double pressure = 0.0;  // 0 to 1 of its range
+    dvec2 tilt_rad{0.0};    // of its upper end from upright: to the right, and towards the person
+};
 
 }  // namespace onggi::window

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/window/pens.h"
 #include "engine/window/touch_screen.h"
 #include "engine/window/window.h"
 
@@ -204,7 +205,10 @@ class GlfwWindow final : public Window {
             self(w).push(KeyEvent{key_of(code), action != GLFW_RELEASE, action == GLFW_REPEAT});
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int code, int action, int) {
-            if (code <= GLFW_MOUSE_BUTTON_MIDDLE)
+            // A hand that holds a pen presses the buttons at its side by accident.
+            const bool is_at_side =
+                code != GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS && self(w).pen();
+            if (code <= GLFW_MOUSE_BUTTON_MIDDLE && !is_at_side)
                 self(w).push(ButtonEvent{button_of(code), action == GLFW_PRESS});
         });
         glfwSetCursorPosCallback(window_,
@@ -218,7 +222,9 @@ class GlfwWindow final : public Window {
             window_, [](GLFWwindow* w, int focused) { self(w).push(FocusEvent{focused == GLFW_TRUE}); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).push(CloseEvent{}); });
         glfwSetWindowPosCallback(window_, [](GLFWwindow* w, int, int) { self(w).moved_ = true; });
-        if (is_on_x11()) fingers_ = TouchScreen::of(static_cast<std::uint32_t>(glfwGetX11Window(window_)));
+        if (!is_on_x11()) return;
+        fingers_ = TouchScreen::of(static_cast<std::uint32_t>(glfwGetX11Window(window_)));
+        pens_ = Pens::open();
     }
     ~GlfwWindow() override { glfwDestroyWindow(window_); }
     GlfwWindow(const GlfwWindow&) = delete;
@@ -242,6 +248,7 @@ class GlfwWindow final : public Window {
     }
 
     [[nodiscard]] std::vector<Event> poll_events() override {
+        if (pens_) pens_->poll();
         glfwPollEvents();
         if (fingers_) follow_fingers();
         show_cursor(arrow_.is_shown(glfwGetTime()));
@@ -255,6 +262,10 @@ class GlfwWindow final : public Window {
         return std::exchange(events_, {});
     }
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return gamepads_now(); }
+    [[nodiscard]] std::optional<Pen> pen() const override {
+        return pens_ ? pens_->state().pen() : std::nullopt;
+    }
+    void keep_fingers(bool first, bool second) override { leading_.keep(first, second); }
     [[nodiscard]] bool close_requested() const override {
         return glfwWindowShouldClose(window_) == GLFW_TRUE;
     }
@@ -371,6 +382,7 @@ class GlfwWindow final : public Window {
             touch.x_px = place.x_px;
             touch.y_px = place.y_px;
             arrow_.touched();
+            if (pens_) pens_->state().touched();
             leading_.follow(touch, events_);
         }
     }
@@ -379,6 +391,7 @@ class GlfwWindow final : public Window {
     GLFWwindow* window_;
     std::vector<Event> events_;
     std::unique_ptr<TouchScreen> fingers_;  // null: touches move the pointer
+    std::unique_ptr<Pens> pens_;            // null: pens are mice
     LeadingFinger leading_;
     bool shows_cursor_ = true;
     PointerArrow arrow_{fingers_ == nullptr};

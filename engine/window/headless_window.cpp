@@ -11,6 +11,8 @@ class HeadlessWindow final : public Window {
     Result<VkSurfaceKHR> create_surface(VkInstance) override { return VkSurfaceKHR{VK_NULL_HANDLE}; }
     [[nodiscard]] std::vector<Event> poll_events() override { return {}; }
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return {}; }
+    [[nodiscard]] std::optional<Pen> pen() const override { return std::nullopt; }
+    void keep_fingers(bool, bool) override {}
     [[nodiscard]] bool close_requested() const override { return false; }
     [[nodiscard]] Size size() const override { return size_; }
     [[nodiscard]] double refresh_hz() const override { return 0.0; }

@@ -1,12 +1,8 @@
-// Uses a connection to the server of its own, because GLFW drops events that it does not know. XI 2.2
-// protocol: https://www.x.org/releases/X11R7.7/doc/inputproto/XI2proto.txt
 #include "engine/window/touch_screen.h"
 
-#include <xcb/xcb.h>
 #include <xcb/xinput.h>
 
 #include <cmath>
-#include <cstdlib>
 
 namespace onggi::window {
 
@@ -31,45 +27,52 @@ bool PointerArrow::is_shown(double now_s) {
     return is_shown_;
 }
 
+bool LeadingFinger::is_free(int which, std::uint32_t now_ms) const {
+    constexpr std::uint32_t kRestMs = 3000;  // longer than a throwing finger stays still
+    constexpr std::uint32_t kNeverLiftedMs = 300'000;
+    const auto at = static_cast<std::size_t>(which);
+    if (!fingers_[at]) return true;
+    const bool rests = !keeps_[at] && now_ms - fingers_[at]->still.time_ms >= kRestMs;
+    return rests || now_ms - fingers_[at]->began_ms >= kNeverLiftedMs;
+}
+
 void LeadingFinger::follow(const Touch& touch, std::vector<Event>& events) {
     if (touch.phase == Touch::Phase::kBegin) return begin(touch, events);
-    if (touch.finger != finger_) return;
-    move(touch, events);
-    if (touch.phase == Touch::Phase::kMove) return;
-    events.push_back(ButtonEvent{MouseButton::kLeft, false});
-    finger_.reset();
+    constexpr double kStillPx = 12.0;  // a resting palm's position drifts by some pixels
+    for (std::optional<Finger>& finger : fingers_) {
+        if (!finger || finger->id != touch.finger) continue;
+        if (std::hypot(touch.x_px - finger->still.x_px, touch.y_px - finger->still.y_px) > kStillPx)
+            finger->still = touch;
+        const bool ends = touch.phase == Touch::Phase::kEnd;
+        if (&finger == &fingers_[1]) {
+            events.push_back(SecondFingerEvent{touch.phase, touch.x_px, touch.y_px});
+        } else {
+            events.push_back(PointerEvent{touch.x_px, touch.y_px});
+            if (ends) events.push_back(ButtonEvent{MouseButton::kLeft, false});
+        }
+        if (ends) finger.reset();
+    }
 }
 
 void LeadingFinger::begin(const Touch& touch, std::vector<Event>& events) {
-    if (finger_) {
-        constexpr std::uint32_t kRestMs = 3000;  // longer than a throwing finger stays still
-        constexpr std::uint32_t kNeverLiftedMs = 300'000;
-        const bool rests = touch.time_ms - still_.time_ms >= kRestMs;
-        if (!rests && touch.time_ms - began_ms_ < kNeverLiftedMs) return;
+    auto& [first, second] = fingers_;
+    const Finger begun{touch.finger, touch, touch.time_ms};
+    if (is_free(0, touch.time_ms)) {
         // Move the pointer away before the release, so that nothing is pressed there.
-        events.push_back(PointerEvent{-1.0, -1.0});
-        events.push_back(ButtonEvent{MouseButton::kLeft, false});
+        if (first) events.push_back(PointerEvent{-1.0, -1.0});
+        if (first) events.push_back(ButtonEvent{MouseButton::kLeft, false});
+        first = begun;
+        events.push_back(PointerEvent{touch.x_px, touch.y_px});
+        events.push_back(ButtonEvent{MouseButton::kLeft, true});
+    } else if (is_free(1, touch.time_ms)) {
+        if (second)
+            events.push_back(SecondFingerEvent{TouchPhase::kEnd, second->still.x_px, second->still.y_px});
+        second = begun;
+        events.push_back(SecondFingerEvent{TouchPhase::kBegin, touch.x_px, touch.y_px});
     }
-    finger_ = touch.finger;
-    still_ = touch;
-    began_ms_ = touch.time_ms;
-    events.push_back(PointerEvent{touch.x_px, touch.y_px});
-    events.push_back(ButtonEvent{MouseButton::kLeft, true});
-}
-
-void LeadingFinger::move(const Touch& touch, std::vector<Event>& events) {
-    constexpr double kStillPx = 12.0;  // a resting palm's position drifts by some pixels
-    if (std::hypot(touch.x_px - still_.x_px, touch.y_px - still_.y_px) > kStillPx) still_ = touch;
-    events.push_back(PointerEvent{touch.x_px, touch.y_px});
 }
 
 namespace {
-
-struct Freed {
-    void operator()(void* answer) const { std::free(answer); }
-};
-template <typename T>
-using Answer = std::unique_ptr<T, Freed>;
 
 // Fixed point: 16 integer bits, 16 fractional bits.
 double number(xcb_input_fp1616_t fixed) {
@@ -79,39 +82,19 @@ double number(xcb_input_fp1616_t fixed) {
 }  // namespace
 
 std::unique_ptr<TouchScreen> TouchScreen::of(std::uint32_t window) {
-    std::unique_ptr<TouchScreen> self(new TouchScreen(xcb_connect(nullptr, nullptr)));
-    return self->take(window) ? std::move(self) : nullptr;
-}
-
-TouchScreen::~TouchScreen() {
-    xcb_disconnect(server_);
-}
-
-bool TouchScreen::take(std::uint32_t window) {
-    if (xcb_connection_has_error(server_) != 0) return false;
-    const xcb_query_extension_reply_t* extension = xcb_get_extension_data(server_, &xcb_input_id);
-    if (extension == nullptr || extension->present == 0) return false;
-    xinput_ = extension->major_opcode;
-    const Answer<xcb_input_xi_query_version_reply_t> version(
-        xcb_input_xi_query_version_reply(server_, xcb_input_xi_query_version(server_, 2, 2), nullptr));
-    if (!version || version->major_version < 2) return false;
-    if (version->major_version == 2 && version->minor_version < 2) return false;
-
-    struct {
-        xcb_input_event_mask_t head{.deviceid = XCB_INPUT_DEVICE_ALL_MASTER, .mask_len = 1};
-        std::uint32_t events = XCB_INPUT_XI_EVENT_MASK_TOUCH_BEGIN | XCB_INPUT_XI_EVENT_MASK_TOUCH_UPDATE |
-                               XCB_INPUT_XI_EVENT_MASK_TOUCH_END;
-    } const wanted;
-    const auto asked = xcb_input_xi_select_events_checked(server_, window, 1, &wanted.head);
-    const Answer<xcb_generic_error_t> refused(xcb_request_check(server_, asked));
-    return refused == nullptr;
+    auto server = InputServer::connect();
+    if (server == nullptr) return nullptr;
+    const bool takes =
+        server->select(window, XCB_INPUT_DEVICE_ALL_MASTER,
+                       XCB_INPUT_XI_EVENT_MASK_TOUCH_BEGIN | XCB_INPUT_XI_EVENT_MASK_TOUCH_UPDATE |
+                           XCB_INPUT_XI_EVENT_MASK_TOUCH_END);
+    return takes ? std::unique_ptr<TouchScreen>(new TouchScreen(std::move(server))) : nullptr;
 }
 
 std::vector<Touch> TouchScreen::poll() {
     std::vector<Touch> touches;
-    while (const Answer<xcb_generic_event_t> event{xcb_poll_for_event(server_)}) {
+    while (const auto event = server_->next_event()) {
         const auto* generic = reinterpret_cast<const xcb_ge_generic_event_t*>(event.get());
-        if (generic->response_type != XCB_GE_GENERIC || generic->extension != xinput_) continue;
         // The three event types have the same layout.
         const auto* touch = reinterpret_cast<const xcb_input_touch_begin_event_t*>(event.get());
         Touch::Phase phase{};

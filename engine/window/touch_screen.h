@@ -2,20 +2,21 @@
 // XInput 2.2, including Xwayland. Main thread.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/window/events.h"
-
-struct xcb_connection_t;
+#include "engine/window/input_server.h"
 
 namespace onggi::window {
 
 // A touch event of one finger.
 struct Touch {
-    enum class Phase { kBegin, kMove, kEnd };
+    using Phase = TouchPhase;
     Phase phase = Phase::kBegin;
     std::uint32_t finger = 0;  // constant from its beginning to its end
     double x_px = 0.0;
@@ -23,22 +24,29 @@ struct Touch {
     std::uint32_t time_ms = 0;  // of the display server; wraps to 0 after 49 days
 };
 
-// Selects the one finger that acts as the pointer. A second finger is ignored while the first one moves. If
-// the first lies still, such as a palm or a sleeve on the panel's edge, or has not been lifted for minutes,
-// such as a wet spot, the next finger replaces it. A replaced or ignored finger stays ignored until it
-// is lifted. Any thread; no clock.
+// Selects the finger that acts as the pointer, and a second one. Others are ignored. If one of the two lies
+// still, such as a palm or a sleeve on the panel's edge, and holds nothing, or has not been lifted for
+// minutes, such as a wet spot, the next finger replaces it. A replaced or ignored finger stays ignored until
+// it is lifted. If the first lifts, the second remains the second. Any thread; no clock.
 class LeadingFinger {
   public:
-    // Appends to `events` what a pointer with one button would have sent.
+    // Appends to `events` what a pointer with one button, and a second finger, would have sent.
     void follow(const Touch& touch, std::vector<Event>& events);
+    // See Window::keep_fingers().
+    void keep(bool first, bool second) { keeps_ = {first, second}; }
 
   private:
+    struct Finger {
+        std::uint32_t id = 0;
+        Touch still{};  // its last position that counted as motion, and when
+        std::uint32_t began_ms = 0;
+    };
     void begin(const Touch& touch, std::vector<Event>& events);
-    void move(const Touch& touch, std::vector<Event>& events);
+    // Whether the next finger may have the place of that one.
+    [[nodiscard]] bool is_free(int which, std::uint32_t now_ms) const;
 
-    std::optional<std::uint32_t> finger_;
-    Touch still_{};  // its last position that counted as motion, and when
-    std::uint32_t began_ms_ = 0;
+    std::array<std::optional<Finger>, 2> fingers_;  // the pointer, the second
+    std::array<bool, 2> keeps_{};
 };
 
 // Whether the window shows the pointer's arrow: only while a mouse moves. Ignores jumps, because a display
@@ -66,19 +74,14 @@ class TouchScreen {
     // Subscribes to the touches of this window on the server in DISPLAY; they no longer move the pointer.
     // Null if the server has no touches or another client has taken them; then touches move the pointer.
     static std::unique_ptr<TouchScreen> of(std::uint32_t window);
-    ~TouchScreen();
-    TouchScreen(const TouchScreen&) = delete;
-    TouchScreen& operator=(const TouchScreen&) = delete;
 
     // Returns the touches since the last call, in the window's own units.
     [[nodiscard]] std::vector<Touch> poll();
 
   private:
-    explicit TouchScreen(xcb_connection_t* server) : server_(server) {}
-    [[nodiscard]] bool take(std::uint32_t window);
+    explicit TouchScreen(std::unique_ptr<InputServer> server) : server_(std::move(server)) {}
 
-    xcb_connection_t* server_;
-    std::uint8_t xinput_ = 0;  // the extension's number in events
+    std::unique_ptr<InputServer> server_;
 };
 
 }  // namespace onggi::window

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,11 @@ class Window {
     [[nodiscard]] virtual std::vector<Event> poll_events() = 0;
     // The connected gamepads with a known button layout, as of the last poll_events().
     [[nodiscard]] virtual std::vector<Gamepad> gamepads() const = 0;
+    // The pen that moved the pointer last, as of the last poll_events(); empty: a mouse or a finger did.
+    [[nodiscard]] virtual std::optional<Pen> pen() const = 0;
+    // Whether the first and the second finger hold something: one that holds is not taken for a hand that
+    // lies on the screen, and keeps its place while another finger comes.
+    virtual void keep_fingers(bool first, bool second) = 0;
     [[nodiscard]] virtual bool close_requested() const = 0;
     [[nodiscard]] virtual Size size() const = 0;
     // Refresh rate of the window's display in whole Hz, from GLFW; 0: unknown. Cheap.

@@ -48,12 +48,24 @@ struct ToolState {
     double shaft_mm = 0.0;  // hand inside: radius of the arm above the ball; 0 to kMaxToolRadiusMm
     SecondHand second{};
     // The position is that of a finger on the upright plane through the axis (x, y), which skilled hands
-    // follow, and not that of a ball in the clay.
+    // follow, and not that of a ball in the clay; z states its push (push_of()). A second hand is then a
+    // second finger.
     bool guided = false;
     bool pressing = true;  // false: the hand is not in the clay
 
     friend bool operator==(const ToolState&, const ToolState&) = default;
 };
+
+// How hard a finger on a screen pushes, of the push of one without a measured pressure: 1, kLeastPush to 2.
+// It is in z, which no finger has, so that every session holds it.
+constexpr double kLeastPush = 0.1;
+constexpr double kPushMm = 10.0;
+[[nodiscard]] inline double push_of(const ToolState& tool) noexcept {
+    return std::clamp(1.0 + tool.position_mm.z / kPushMm, kLeastPush, 2.0);
+}
+[[nodiscard]] inline double z_of_push(double push) noexcept {
+    return (push - 1.0) * kPushMm;
+}
 
 // Keeps only a plain tool's fields; the others get their defaults, because the paper's clay has no sides or
 // tools.
@@ -70,6 +82,7 @@ struct ToolState {
             .presses = tool.pressing};
 }
 [[nodiscard]] inline ToolState moved_by(const haptics::HandSample& sample, ToolState tool) noexcept {
+    if (tool.guided && !sample.on_screen) tool.second = {};  // a finger is no ball in the clay
     tool.position_mm = sample.position_mm;
     tool.wheel_button = sample.button;
     tool.wheel_speed_rev_min = sample.rev_min;

@@ -71,6 +71,7 @@ struct HeldOver {
 struct Hand {
     bool is_second = false;
     bool is_away = false;  // not drawn, whatever the loop's position
+    dvec2 tilt_rad{0.0};   // of a pen
     ToolPose pose{};
 };
 // The program moves this hand, and the haptic loop does not.

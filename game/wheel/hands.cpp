@@ -138,6 +138,37 @@ void hang_about(Hands& hands, const Guide& guide) {
     put(hands[0], guide, Side::kOut, ball_at(guide, Side::kOut, x_mm, y_mm));
 }
 
+// A second finger on the clay: the other hand is where it is.
+void put_second(Hands& hands, const Guide& first, const clay::studio::GripReport& report) {
+    DrawnHand& hand = report.grip == Grip::kInside && !report.second_is_inside ? hands[0] : hands[1];
+    Guide guide = first;
+    guide.side = std::signbit(report.second_mm.x) ? -1.0 : 1.0;
+    guide.at_mm = {std::abs(report.second_mm.x), report.second_mm.y};
+    double y_mm = on_wall(guide);
+    if (report.second_is_inside) y_mm = std::max(y_mm, guide.shape.floor_mm + kTipsAboveFloorMm);
+    const Side side = report.second_is_inside ? Side::kIn : Side::kOut;
+    const double at_mm =
+        report.second_is_inside ? reach_mm(guide.shape, y_mm) : wall_at(guide.shape, y_mm).outer_mm;
+    put(hand, guide, side, ball_at(guide, side, at_mm, y_mm));
+}
+
+// The hands of a grip, both on the clay or over it.
+void hold(Hands& hands, const Guide& guide, Grip grip) {
+    switch (grip) {
+        case Grip::kNone:
+            return hang_about(hands, guide);
+        case Grip::kAsking:
+        case Grip::kOpen:
+            return open(hands, guide);
+        case Grip::kWall:
+            return hold_wall(hands, guide);
+        case Grip::kInside:
+            return reach_inside(hands, guide);
+        case Grip::kRim:
+            return press_rim(hands, guide);
+    }
+}
+
 // The outline that a finger at that height meets.
 clay::studio::GripOutline grip_outline(const pot::Pot& shape, double y_mm) {
     constexpr double kWithinMm = 0.5;
@@ -172,19 +203,8 @@ void guide_hands(Hands& hands, const haptic::Snapshot& snapshot) {
     const Grip grip = works        ? report.grip
                       : holds_tool ? Grip::kWall
                                    : clay::studio::grip_of_touch(grip_outline(shape, finger_mm.y), finger_mm);
-    switch (grip) {
-        case Grip::kNone:
-            return hang_about(hands, guide);
-        case Grip::kAsking:
-        case Grip::kOpen:
-            return open(hands, guide);
-        case Grip::kWall:
-            return hold_wall(hands, guide);
-        case Grip::kInside:
-            return reach_inside(hands, guide);
-        case Grip::kRim:
-            return press_rim(hands, guide);
-    }
+    hold(hands, guide, grip);
+    if (works && report.has_second) put_second(hands, guide, report);
 }
 
 // Slope dR/dy of a face, over a span that averages out the throwing rings.

@@ -156,6 +156,14 @@ std::vector<window::Gamepad> LiveView::gamepads() const {
     return pads;
 }
 
+std::optional<window::Pen> LiveView::pen() const {
+    return impl_->window->pen();
+}
+
+void LiveView::keep_fingers(bool first, bool second) {
+    impl_->window->keep_fingers(first, second);
+}
+
 const std::string& LiveView::workshop_lack() const {
     return impl_->workshop_lack;
 }

@@ -56,6 +56,9 @@ class LiveView {
     void feed(std::vector<window::Gamepad> pads);
     // State of the window system's gamepads at the last poll; when headless, those from feed().
     [[nodiscard]] std::vector<window::Gamepad> gamepads() const;
+    // See window.h.
+    [[nodiscard]] std::optional<window::Pen> pen() const;
+    void keep_fingers(bool first, bool second);
     [[nodiscard]] bool close_requested() const;
     // The reason why a small still life is shown instead of the room; empty if the room is shown.
     [[nodiscard]] const std::string& workshop_lack() const;

@@ -153,9 +153,10 @@ void ToolPose::follow(const DrawnHand& hand, double dt_s) {
     // Angle from straight sideways: positive is towards the back. The model's own +X points out of the clay.
     const bool leads_right = !left_;
     const double round = std::atan2(-normal.y, leads_right ? normal.x : -normal.x);
-    const double held = std::clamp(round, -kMostToFront, kMostToBack);
+    const double held = std::clamp(round - hand.tilt_rad.y, -kMostToFront, kMostToBack);
     const double yaw = leads_right ? held : kPi - held;
     double lean = std::atan(hand.wall_lean) * (is_inside(side_) ? 0.6 : -0.6);
+    lean -= leads_right ? hand.tilt_rad.x : -hand.tilt_rad.x;
     double lowest = -std::asin(std::clamp((touch.y - kWheelClearanceMm) / kReachMm, 0.0, 1.0));
     if (hand.guided && is_inside(side_) && hand.below_rim_mm > 0.0) {
         lean = std::min(lean, most_lean_through_mouth(hand, touch));

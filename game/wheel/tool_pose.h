@@ -29,6 +29,9 @@ struct DrawnHand {
     // more slowly while it hovers.
     bool guided = false;
     bool digs = false;  // the thumbs point straight down; `side` is the top
+    // Tilt of a pen that guides the hand, of its upper end from upright: to the right, and towards the
+    // visitor. The forearm follows; an upright pen, or none, leaves it as it is.
+    dvec2 tilt_rad{0.0};
 };
 
 // A tool to draw.

@@ -341,6 +341,7 @@ void show_hands(ecs::Registry& registry, FrameContext& context) {
         const Led* led = registry.find<Led>(entity);
         DrawnHand drawn = led != nullptr ? led->hand : context.hands[hand.is_second ? 1 : 0];
         drawn.shown = drawn.shown && !hand.is_away && !hold_wire;
+        drawn.tilt_rad = hand.tilt_rad;
         meet(drawn, *context.seen.pot);
         hand.pose.follow(drawn, context.dt_s);
         if (as_ball) {
@@ -555,6 +556,10 @@ const render::Scene& WheelScene::apply(const haptic::Snapshot& snapshot, int wid
 
 void WheelScene::show_hands(bool shown) {
     registry_.each<Hand>([&](ecs::Entity, Hand& hand) { hand.is_away = !shown; });
+}
+
+void WheelScene::tilt_hand(const dvec2& tilt_rad) {
+    registry_.find<Hand>(hands_[0])->tilt_rad = tilt_rad;
 }
 
 void WheelScene::lead_hands(const std::optional<std::array<DrawnHand, 2>>& hands) {

@@ -82,6 +82,8 @@ class WheelScene {
     void show_hands(bool shown);
     // The program moves both hands itself; empty: the haptic loop does.
     void lead_hands(const std::optional<std::array<DrawnHand, 2>>& hands);
+    // Tilts the first hand as a pen is tilted; see DrawnHand::tilt_rad.
+    void tilt_hand(const dvec2& tilt_rad);
     // Holds the wire ready to cut at this height; see Wire.
     void hold_wire(const std::optional<double>& height_mm);
     // The volume cut off since the trimmer was picked up, and the place of the cut; 0 removes the shavings.

@@ -40,17 +40,33 @@ struct Finger {
     }
     // Presses from one place to another; both at the same moments at every rate.
     void stroke(const dvec2& from, const dvec2& to, double seconds) {
+        move(from, to, seconds);
+        lift();
+    }
+    void lift() {
+        input.pressing = false;
+        input.second = {};
+        tick();
+    }
+    struct Way {
+        dvec2 from{0.0};
+        dvec2 to{0.0};
+        bool is_there = false;
+    };
+    // The same without lifting, and with a second finger if it is there.
+    void move(const dvec2& from, const dvec2& to, double seconds, const Way& second = Way()) {
         input.pressing = true;
+        input.second.present = second.is_there;
         const int ticks = static_cast<int>(seconds * parameters.rate_hz);
         const int each = static_cast<int>(parameters.rate_hz / 1000.0);
         for (int i = 0; i < ticks; ++i) {
             const double part = static_cast<double>(i / each) * each / ticks;
             const dvec2 place = from + (to - from) * part;
-            input.position_mm = {place.x, place.y, 0.0};
+            input.position_mm = {place.x, place.y, tool::z_of_push(push)};
+            if (second.is_there)
+                input.second.position_mm = dvec3(second.from + (second.to - second.from) * part, 0.0);
             tick();
         }
-        input.pressing = false;
-        tick();
     }
     void open() { stroke({0.0, clay.height_mm()}, {0.0, 10.0}, 2.0); }
     void pull(double to_mm) {
@@ -68,6 +84,7 @@ struct Finger {
     StudioParameters parameters;
     tool::ToolState input;
     StudioForces forces;
+    double push = 1.0;
 };
 
 }  // namespace onggi::clay::studio

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/clay/studio/pot.h"
+#include "game/clay/studio/spare_clay.h"
 #include "tests/studio/bench.h"
 #include "tests/studio/finger.h"
 
@@ -91,6 +92,138 @@ TEST(Grips, LeaveTheSameBitsWhenResumedInTheMiddleOfATouch) {
     EXPECT_EQ(copy->state_hash(), finger.clay.state_hash());
 }
 
+// Beside the wall at that height: outside it, and inside as far away as two fingers on a screen are.
+struct Beside {
+    explicit Beside(const Finger& finger, double y)
+        : outside(face(finger, y) + 2.0, y),
+          inside(face(finger, y) - 24.0, y) {}
+    static double face(const Finger& finger, double y) { return outer_face_mm(finger.clay.rings(), y); }
+    dvec2 outside;
+    dvec2 inside;
+};
+
+// A pull of six seconds up to 225 mm, by one finger or by two.
+Finger pulled(bool by_two) {
+    Finger finger;
+    finger.open();
+    const Beside at(finger, 0.3 * finger.clay.height_mm());
+    const dvec2 up{0.0, 225.0 - at.outside.y};
+    const auto second = by_two ? Finger::Way{at.inside, at.inside + up, true} : Finger::Way{};
+    finger.move(at.outside, at.outside + up, 6.0, second);
+    finger.lift();
+    return finger;
+}
+
+double mean_wall_mm(const Rings& rings) {
+    double walls = 0.0;
+    double height = 0.0;
+    for (int i = rings.first_hollow; i < rings.count; ++i) {
+        walls += rings.height_mm[Rings::at(i)] * rings.wall_mm(i);
+        height += rings.height_mm[Rings::at(i)];
+    }
+    return walls / height;
+}
+
+TEST(TwoFingers, ThinAndRaiseAWallMoreThanOneAndLeaveSomeForTheNextPull) {
+    const Finger one = pulled(false);
+    const Finger two = pulled(true);
+    EXPECT_GT(two.clay.height_mm(), one.clay.height_mm() + 5.0);
+    EXPECT_LT(mean_wall_mm(two.clay.rings()), mean_wall_mm(one.clay.rings()) - 0.3);
+    EXPECT_GT(spare_rise(two.clay.rings()), 15.0);
+}
+
+TEST(TwoFingers, SqueezeTheWallWhereTheyComeCloser) {
+    Finger finger;
+    finger.open();
+    finger.pull(100.0);
+    const Beside at(finger, 50.0);
+    const auto wall = [&] { return finger.clay.rings().wall_mm(finger.clay.rings().ring_at(50.0)); };
+    const double before = wall();
+    finger.move(at.outside, at.outside, 1.0, Finger::Way{at.inside, at.inside, true});
+    EXPECT_NEAR(wall(), before, 0.3) << "they only hold it";
+    finger.move(at.outside, at.outside, 2.0, Finger::Way{at.inside, at.inside + dvec2(3.0, 0.0), true});
+    EXPECT_LT(wall(), before - 1.0);
+    EXPECT_GT(wall(), before - 3.5);
+}
+
+TEST(TwoFingers, CollarAPotFromBothSides) {
+    const auto neck = [](bool first_moves, bool has_second) {
+        Finger finger;
+        finger.open();
+        finger.pull(100.0);
+        const double r = outer_face_mm(finger.clay.rings(), 85.0);
+        const double to = first_moves ? r - 8.0 : r;
+        const auto second = has_second ? Finger::Way{{-r, 85.0}, {-r + 8.0, 85.0}, true} : Finger::Way{};
+        finger.move({r, 85.0}, {to, 85.0}, 2.0, second);
+        return r - outer_face_mm(finger.clay.rings(), 85.0);
+    };
+    EXPECT_GT(neck(false, true), 5.0) << "a hand that only rests does not hold against the other";
+    EXPECT_GE(neck(true, true), neck(true, false) - 0.5) << "the second adds to the first";
+}
+
+TEST(TwoFingers, GoOnWithoutAJumpWhereTheSecondLifts) {
+    for (const bool is_inside : {true, false}) {
+        Finger finger;
+        finger.open();
+        finger.pull(100.0);
+        const Beside at(finger, 60.0);
+        const dvec2 other = is_inside ? at.inside : dvec2(-at.outside.x, 60.0);
+        const double way = is_inside ? 6.0 : 8.0;
+        finger.move(at.outside, at.outside, 2.0, Finger::Way{other, other + dvec2(way, 0.0), true});
+        const std::vector<double> before = finger.faces();
+        const double height = finger.clay.height_mm();
+        finger.move(at.outside, at.outside, 0.4);
+        EXPECT_NEAR(finger.clay.height_mm(), height, 0.5);
+        const std::vector<double> after = finger.faces();
+        if (before.size() != after.size()) continue;  // rings were split or joined
+        for (std::size_t i = 0; i < before.size(); ++i)
+            EXPECT_NEAR(after[i], before[i], 0.6) << i;
+    }
+}
+
+TEST(TwoFingers, ChangeNothingWhereTheSecondIsAwayFromTheClay) {
+    Finger one;
+    Finger two;
+    for (Finger* finger : {&one, &two}) {
+        finger->open();
+        const auto away = finger == &two ? Finger::Way{{190.0, 20.0}, {200.0, 30.0}, true} : Finger::Way{};
+        finger->move({60.0, 20.0}, {60.0, 90.0}, 2.0, away);
+    }
+    EXPECT_EQ(one.clay.state_hash(), two.clay.state_hash());
+}
+
+TEST(TwoFingers, LeaveTheSameBitsWhenResumedWhileBothHold) {
+    Finger finger;
+    finger.open();
+    const Beside at(finger, 30.0);
+    finger.move(at.outside, at.outside + dvec2(0.0, 20.0), 0.7,
+                Finger::Way{at.inside, at.inside + dvec2(2.0, 18.0), true});
+    ASSERT_TRUE(finger.forces.grip.has_second && finger.forces.grip.second_is_inside);
+    auto copy = StudioClay::from_start_state(finger.clay.start_state());
+    ASSERT_TRUE(copy) << copy.error().message;
+    EXPECT_EQ(copy->state_hash(), finger.clay.state_hash());
+    for (int i = 0; i < 500; ++i) {
+        finger.input.position_mm.y += 0.05;
+        finger.tick();
+        copy->tick(finger.input, finger.parameters);
+    }
+    EXPECT_EQ(copy->state_hash(), finger.clay.state_hash());
+}
+
+TEST(Grips, FollowTheirFingerAsFastAsItPushes) {
+    const auto moved = [](double push) {
+        Finger finger;
+        finger.open();
+        finger.pull(100.0);
+        finger.push = push;
+        const double from = outer_face_mm(finger.clay.rings(), 60.0);
+        finger.move({from, 60.0}, {from - 12.0, 60.0}, 0.3);
+        return from - outer_face_mm(finger.clay.rings(), 60.0);
+    };
+    EXPECT_LT(moved(0.1), 0.3 * moved(1.0)) << "a pen that hardly presses hardly moves the wall";
+    EXPECT_GT(moved(1.6), moved(1.0) + 0.5);
+}
+
 TEST(Grips, ThrowTheSamePotAtEveryRate) {
     const auto thrown = [](double rate_hz) {
         Finger finger(rate_hz);
@@ -120,7 +253,13 @@ TEST(Grips, KeepTheClayValidForAnyFinger) {
         Finger finger(1000.0, mass_g);
         for (int i = 0; i < 25000; ++i) {
             if (i % 40 == 0) finger.input.pressing = random() % 8 != 0;
-            if (i % 25 == 0) finger.input.position_mm = {uniform(-200.0, 200.0), uniform(-50.0, 300.0), 0.0};
+            if (i % 25 == 0)
+                finger.input.position_mm = {uniform(-200.0, 200.0), uniform(-50.0, 300.0),
+                                            tool::z_of_push(finger.push)};
+            if (i % 60 == 0) finger.input.second.present = random() % 3 != 0;
+            if (i % 35 == 0)
+                finger.input.second.position_mm = {uniform(-200.0, 200.0), uniform(-50.0, 300.0), 0.0};
+            if (i % 200 == 0) finger.push = uniform(0.1, 2.0);
             if (i % 997 == 0) finger.input.position_mm.x = std::numeric_limits<double>::quiet_NaN();
             if (i % 5000 == 0) finger.pedal(uniform(0.0, 20.0));
             finger.tick();

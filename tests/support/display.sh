@@ -27,8 +27,8 @@ serve_display() {
 open_display() { serve_display "$1" Xvfb -fbdir "$1" -screen 0 "${2}x24" "${@:3}"; }
 
 # open_touch_display FOLDER WxH: the X server of a machine with a touch screen, rendered into memory
-# (xserver-xorg-video-dummy). The screen is touched by `finger`, through the socket FOLDER/touch-screen: a
-# relative path, because a socket's is short. With a named seat the server needs no terminal.
+# (xserver-xorg-video-dummy), and with a pen. The screen is touched by `finger`, through the socket
+# FOLDER/touch-screen, and the pen has FOLDER/pen: relative paths, because a socket's is short. With a named seat the server needs no terminal.
 open_touch_display() {
     local folder wide=${2%x*} high=${2#*x}
     folder=$(realpath "$1")
@@ -70,6 +70,13 @@ Section "InputDevice"
     Option "TouchCount" "10"
 EndSection
 Section "InputDevice"
+    Identifier "pen"
+    Driver "inputtest"
+    Option "SocketPath" "pen"
+    Option "DeviceType" "PointerAbsoluteProximity"
+    Option "PointerHasPressure" "true"
+EndSection
+Section "InputDevice"
     Identifier "keyboard"
     Driver "inputtest"
     Option "SocketPath" "keyboard"
@@ -79,6 +86,7 @@ Section "ServerLayout"
     Identifier "desk"
     Screen "screen"
     InputDevice "finger" "CorePointer"
+    InputDevice "pen" "SendCoreEvents"
     InputDevice "keyboard" "CoreKeyboard"
 EndSection
 CONF

@@ -1,79 +1,25 @@
 // A finger on a touch screen: finger SOCKET WIDTH HEIGHT [turned] reads one command per line, in xdotool's
 // syntax: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup 1", "sleep S"; and
-// "palm X Y", a hand that is laid on the screen there and stays. It answers each command with a line "done".
-// SOCKET is where the X server's input driver for tests listens (inputtest(4), which accepts one program and
-// none after it): the touches pass through the server's touch handling to the program, like those of a real
-// touch screen.
+// "palm X Y", a hand that is laid on the screen there and stays; "second X Y" and "secondup 1", another
+// finger that comes, moves and lifts. It answers each command with a line "done". SOCKET: see input_driver.h.
 #include <X11/X.h>
 #include <X11/extensions/XI2.h>
 #include <fmt/format.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
-#include <xorg/xf86-input-inputtest-protocol.h>
 
-#include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
+
+#include "tests/window/input_driver.h"
 
 namespace onggi {
 namespace {
-
-// The axes of the driver's touch screens.
-constexpr double kAxisSteps = 65536.0;
-
-class TouchScreen {
-  public:
-    explicit TouchScreen(const std::string& path) {
-        sockaddr_un address{};
-        address.sun_family = AF_UNIX;
-        if (path.size() >= sizeof address.sun_path) throw std::runtime_error(path + ": too long a path");
-        std::copy(path.begin(), path.end(), address.sun_path);
-        if (::connect(file_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
-            throw std::runtime_error(
-                fmt::format("{}: expected a touch screen, found {}", path, std::strerror(errno)));
-        xf86ITEventClientVersion version{};
-        version.major = XF86IT_PROTOCOL_VERSION_MAJOR;
-        version.minor = XF86IT_PROTOCOL_VERSION_MINOR;
-        tell(version, XF86IT_EVENT_CLIENT_VERSION);
-        xf86ITResponseServerVersion answer{};
-        if (::recv(file_, &answer, sizeof answer, MSG_WAITALL) != static_cast<ssize_t>(sizeof answer))
-            throw std::runtime_error(path + ": expected a driver's version, found none");
-    }
-    ~TouchScreen() { ::close(file_); }
-    TouchScreen(const TouchScreen&) = delete;
-    TouchScreen& operator=(const TouchScreen&) = delete;
-
-    // XI_TouchBegin, XI_TouchUpdate or XI_TouchEnd of a finger, at a place in fractions of the screen.
-    void touch(std::uint32_t finger, std::uint32_t type, double x, double y) {
-        xf86ITEventTouch event{};
-        event.touchid = finger;
-        event.touch_type = type;
-        event.valuators.mask[0] = 0b11;
-        event.valuators.valuators[0] = x * kAxisSteps;
-        event.valuators.valuators[1] = y * kAxisSteps;
-        tell(event, XF86IT_EVENT_TOUCH);
-    }
-
-  private:
-    template <typename Event>
-    void tell(Event& event, xf86ITEventType type) {
-        event.header.length = sizeof event;
-        event.header.type = type;
-        if (::send(file_, &event, sizeof event, MSG_NOSIGNAL) != static_cast<ssize_t>(sizeof event))
-            throw std::runtime_error("the X server no longer listens to its touch screen");
-    }
-
-    int file_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-};
 
 class Finger {
   public:
@@ -100,6 +46,14 @@ class Finger {
             } else if (word == "palm") {
                 const double x = (number(words) + 0.5) / width_;
                 touch(kPalm, XI_TouchBegin, x, (number(words) + 0.5) / height_);
+            } else if (word == "second") {
+                second_x_ = (number(words) + 0.5) / width_;
+                second_y_ = (number(words) + 0.5) / height_;
+                touch(kSecond, std::exchange(second_is_down_, true) ? XI_TouchUpdate : XI_TouchBegin,
+                      second_x_, second_y_);
+            } else if (word == "secondup") {
+                second_is_down_ = number(words) == 0.0;
+                touch(kSecond, XI_TouchEnd, second_x_, second_y_);
             } else {
                 throw std::runtime_error(fmt::format("expected a move of a finger, found '{}'", word));
             }
@@ -109,6 +63,7 @@ class Finger {
   private:
     static constexpr std::uint32_t kFinger = 1;
     static constexpr std::uint32_t kPalm = 2;
+    static constexpr std::uint32_t kSecond = 3;
 
     // On a panel mounted on its side the picture is turned clockwise by a quarter, but its sensor is not.
     void touch(std::uint32_t finger, std::uint32_t type, double x, double y) {
@@ -123,13 +78,16 @@ class Finger {
         return value;
     }
 
-    TouchScreen screen_;
+    test::InputDriver screen_;
     double width_;
     double height_;
     bool is_turned_;
     double x_ = 0.0;  // in fractions of the screen
     double y_ = 0.0;
     bool is_down_ = false;
+    double second_x_ = 0.0;
+    double second_y_ = 0.0;
+    bool second_is_down_ = false;
 };
 
 }  // namespace

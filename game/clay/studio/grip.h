@@ -42,6 +42,10 @@ struct GripReport {
     dvec2 finger_mm{0.0};
     double low_mm = 0.0;  // the held part of the wall, low_mm to high_mm
     double high_mm = 0.0;
+    // A second finger is the other hand: on which face, and its place, within reach of the first.
+    bool has_second = false;
+    bool second_is_inside = false;
+    dvec2 second_mm{0.0};
 };
 
 // The outline at a landing finger.

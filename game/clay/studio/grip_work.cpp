@@ -58,6 +58,11 @@ bool is_hollow(const Rings& rings) noexcept {
     return rings.top_mm() - rings.floor_mm() > kHollowMm;
 }
 
+// Inner radius at that height, or right above the floor.
+double inner_face_mm(const Rings& rings, double y) noexcept {
+    return rings.inner_mm[at(rings.ring_at(std::max(y, std::min(rings.floor_mm() + 0.5, rings.top_mm()))))];
+}
+
 // Input of grip_of_touch() from these rings.
 GripOutline outline_of(const Rings& rings, double y) noexcept {
     const int last = rings.count - 1;
@@ -218,7 +223,8 @@ void let_go(GripState& state) noexcept {
     if (state.presses) state = {};
 }
 
-GripReport report_of(const GripState& state, const dvec2& finger) noexcept {
+GripReport report_of(const GripState& state, const GripFingers& fingers) noexcept {
+    const dvec2& finger = fingers.first_mm;
     if (!state.presses) return {.finger_mm = finger};
     return {.grip = state.grip,
             .guard = state.shown_guard,
@@ -227,7 +233,10 @@ GripReport report_of(const GripState& state, const dvec2& finger) noexcept {
             .hand_mm = {state.side * state.hand_mm.x, state.hand_mm.y},
             .finger_mm = finger,
             .low_mm = state.low_mm,
-            .high_mm = state.high_mm};
+            .high_mm = state.high_mm,
+            .has_second = state.second.presses,
+            .second_is_inside = state.second.is_inside,
+            .second_mm = fingers.second_mm.value_or(finger)};
 }
 
 // The moves of the hands on the clay.
@@ -260,6 +269,16 @@ constexpr double kPullS = 0.06;
 constexpr double kPullMmS = 60.0;
 constexpr double kTallestPullMm = 225.0;
 constexpr double kStrainPerS = 2.0;
+
+// The second hand.
+constexpr double kSecondReachMm = 40.0;  // a finger farther from the clay is no hand
+constexpr double kOppositeMm = 40.0;     // hands farther apart in height do not hold the same wall
+constexpr double kOppositeFadeMm = 15.0;
+constexpr double kPinchReachMm = 14.0;
+constexpr double kSqueezeMmS = 12.0;  // chosen: a wall of 12 mm takes as long as a slow pull
+constexpr double kTakes = 0.5;        // of what a wall could yield, in a pass of the hands
+constexpr double kMostSpare = 1.5;    // a very thick wall yields no more
+constexpr double kTwoCreepMmS = 1.0;  // two hands have had more when their part has run out
 
 // OPEN.
 constexpr double kThickFloorMm = 12.5;
@@ -309,6 +328,35 @@ bool deepen(GripState& state, const Rings& rings, double down_mm, double widen_m
     const bool is_deep = state.bottom_mm <= floor + 6.0;
     if (is_deep) state.bore_mm = std::min(state.bore_mm + widen_mm, std::max(widest_mm, state.bore_mm));
     return state.bottom_mm <= floor && state.bore_mm >= widest_mm && rings.floor_mm() <= floor + 4.0;
+}
+
+// Distance between the fingers on both faces, across the wall.
+double apart_mm(const GripState& state, const dvec2& second) {
+    const double inward = state.finger_mm.x - std::fabs(second.x);
+    return state.second.is_inside ? inward : -inward;
+}
+
+// Lands and lifts the second finger.
+void follow_second(GripState& state, const Rings& rings, const GripFingers& fingers, bool wide) {
+    SecondGrip& second = state.second;
+    if (!fingers.second_mm || !wide) {
+        second = {};
+        return;
+    }
+    const dvec2& finger = *fingers.second_mm;
+    const double top = rings.top_mm();
+    const double y = std::clamp(finger.y, 0.0, top);
+    const double r = std::fabs(finger.x);
+    const double outer = outer_face_mm(rings, y);
+    if (second.presses || finger.y > top + kSecondReachMm || r > outer + kSecondReachMm) return;
+    const bool hollow = is_hollow(rings);
+    const GripOutline outline = outline_of(rings, finger.y);
+    if (!hollow && grip_of_touch(outline, finger) != Grip::kWall) return;  // over solid clay there is no wall
+    const double inner = hollow ? inner_face_mm(rings, y) : 0.0;
+    second.presses = true;
+    second.is_inside = hollow && r < 0.5 * (outer + inner);
+    second.offset_mm = (second.is_inside ? inner : outer) - r;
+    second.between_mm = outer - inner - apart_mm(state, finger);
 }
 
 void hold(GripState& state, double low, double high) {
@@ -368,20 +416,28 @@ double dish_fraction(const GripState& state, const Rings& rings, const GripClima
     return std::clamp((widest - kFromMm) / (kToMm - kFromMm), 0.0, 1.0);
 }
 
-Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
+void place(Rings& rings, const Changed& changed) {
+    if (changed.size() > 0) rings.place(changed.first, rings.count);
+}
+
+// A wall that a hand moves at height_mm: how far, and where the face that it moves is now.
+struct Move {
+    double height_mm = 0.0;
+    double error_mm = 0.0;
+    double face_mm = 0.0;   // the outer face
+    double wants_mm = 0.0;  // where the hand wants it
+    double heading = 0.0;   // of the hand
+};
+
+// Moves a wall towards a hand, within the bounds of every hand.
+Changed move_wall_to(GripState& state, Rings& rings, GripSpace& space, const Move& move,
+                     const GripClimate& climate) {
     const double top = rings.top_mm();
-    const double y = std::clamp(state.hand_mm.y, 0.0, top);
+    const double y = move.height_mm;
     const bool hollow = is_hollow(rings);
     const MannerNumbers& manner = numbers_of(climate);
-    const double now = outer_face_mm(rings, y);
-    double error = 0.0;
-    if (state.grip == Grip::kInside) {
-        const int ring = rings.ring_at(std::max(y, std::min(rings.floor_mm() + 0.5, top)));
-        error = std::max(state.hand_mm.x - rings.inner_mm[Rings::at(ring)], 0.0);
-    } else {
-        error = wall_target(state, rings) - now;
-    }
-    double step = error * std::fabs(error) / (std::fabs(error) + 2.0) * relaxed(kWallS);
+    const double error = move.error_mm;
+    double step = error * std::fabs(error) / (std::fabs(error) + 2.0) * relaxed(kWallS) * climate.push;
     const double inward = (hollow ? kInwardMmS : kConeMmS) * kGripStepS * climate.softness;
     step = std::clamp(step, -inward, kOutwardMmS * kGripStepS * climate.softness);
     const double wanted = step;
@@ -392,17 +448,15 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
             kLowestWallMm + dish_fraction(state, rings, climate) * (kLowestDishMm - kLowestWallMm);
         const double spreads = std::clamp((top - lowest * climate.size) / manner.lowest_fade_mm, 0.0, 1.0);
         step *= spreads;
-        const bool is_widest = now > kWidestGripMm - 1.0 && state.hand_mm.x > now + 3.0;
+        const bool is_widest = move.face_mm > kWidestGripMm - 1.0 && move.wants_mm > move.face_mm + 3.0;
         if (climate.wide && (is_widest || (spreads < 0.3 && error > 3.0))) state.guard = GripGuard::kAsWide;
     } else {
         step *= std::clamp((std::max(state.landed_top_mm, y) + 12.0 - top) / 8.0, 0.0, 1.0);
-        if (state.hand_mm.x + state.offset_mm < wall_target(state, rings) - 3.0)
-            state.guard = GripGuard::kAsNarrow;
     }
     const double ahead = std::clamp(0.26 * top + 8.0, 16.0, 42.0);
-    const double up = ahead + std::max(-state.heading, 0.0) * (kBehindMm - ahead);
-    const double down = ahead + std::max(state.heading, 0.0) * (kBehindMm - ahead);
-    state.press_mm = 0.3 + std::fabs(step) * 0.1 / kGripStepS;
+    const double up = ahead + std::max(-move.heading, 0.0) * (kBehindMm - ahead);
+    const double down = ahead + std::max(move.heading, 0.0) * (kBehindMm - ahead);
+    state.press_mm = std::max(state.press_mm, 0.3 + std::fabs(step) * 0.1 / kGripStepS);
     hold(state, std::max(y - down, 0.0), std::min(y + up, top));
     double widest_foot_mm = kWidestFootMm;
     double leans = 0.0;
@@ -410,7 +464,7 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
         const double low = (kDishFromMm - top / climate.size) / (kDishFromMm - kDishToMm);
         widest_foot_mm += std::min(low, 1.0) * (kDishFootMm - kWidestFootMm);
         // A finger that climbs outward leans the wall as far as its own way.
-        const double climbs = std::min(state.heading, 1.0);
+        const double climbs = std::min(move.heading, 1.0);
         if (climbs > 1.0 / kFlattest) leans = std::sqrt(1.0 - climbs * climbs) / climbs;
     }
     return carry_wall(rings, space,
@@ -425,8 +479,45 @@ Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripC
                        .keeps_slopes = climate.wide});
 }
 
+Changed carry_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
+    const double y = std::clamp(state.hand_mm.y, 0.0, rings.top_mm());
+    Move move{.height_mm = y,
+              .face_mm = outer_face_mm(rings, y),
+              .wants_mm = state.hand_mm.x,
+              .heading = state.heading};
+    if (state.grip == Grip::kInside) {
+        move.error_mm = std::max(state.hand_mm.x - inner_face_mm(rings, y), 0.0);
+    } else {
+        const double target = wall_target(state, rings);
+        move.error_mm = target - move.face_mm;
+        if (move.error_mm <= 0.0 && state.hand_mm.x + state.offset_mm < target - 3.0)
+            state.guard = GripGuard::kAsNarrow;
+    }
+    return move_wall_to(state, rings, space, move, climate);
+}
+
+// Whether the hands are on both faces of the wall, at heights that are not far apart.
+bool holds_between(const GripState& state, const Rings& rings, const GripFingers& fingers) {
+    constexpr double kOnFaceMm =
+        6.0;  // a first finger that landed farther inside the outline draws from inside
+    const SecondGrip& second = state.second;
+    if (!second.presses || !is_hollow(rings) || state.opens_by_itself) return false;
+    if (std::fabs(fingers.second_mm->y - state.finger_mm.y) >= kOppositeMm) return false;
+    if (second.is_inside) return state.grip == Grip::kWall;
+    return state.grip == Grip::kInside || (state.grip == Grip::kWall && state.offset_mm > kOnFaceMm);
+}
+
+// What is left of a touch's part of the rise, 1 to 0. One finger takes half of what it found: what it has
+// risen is at most what is left. Two hands on the wall take three quarters.
+double part_left(const GripState& state, const Rings& rings, const GripFingers& fingers) {
+    const double risen = rings.top_mm() - state.landed_top_mm;
+    const double left = spare_rise(rings) - (holds_between(state, rings, fingers) ? risen / 3.0 : risen);
+    return std::clamp(left / kTouchEndsMm, 0.0, 1.0);
+}
+
 // A hand that passes the rim upward pulls it along.
-Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
+Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripFingers& fingers,
+                  const GripClimate& climate) {
     const double top = rings.top_mm();
     const double y = state.finger_mm.y;
     if (!state.pulls && state.heading > 0.2 && state.hand_mm.y > top - kCatchBelowMm) state.pulls = true;
@@ -436,11 +527,10 @@ Changed pull_step(GripState& state, Rings& rings, GripSpace& space, const GripCl
     double rise = std::min((y - top) * relaxed(kPullS), kPullMmS * kGripStepS * climate.softness);
     rise = std::min(rise, highest - top) * load_fraction(climate);
     if (climate.wide) {
-        // A touch takes half of what it found: what it has risen is at most what is left.
-        const double left = spare_rise(rings) - (top - state.landed_top_mm);
-        const double part = std::clamp(left / kTouchEndsMm, 0.0, 1.0);
+        const double part = part_left(state, rings, fingers);
         if (part < 0.3 && rise > 0.0) state.guard = GripGuard::kAsHigh;
-        rise = std::min(rise, (part * kPullMmS + kCreepsMmS) * kGripStepS * climate.softness);
+        const double creeps = holds_between(state, rings, fingers) ? kTwoCreepMmS : kCreepsMmS;
+        rise = std::min(rise, (part * kPullMmS + creeps) * kGripStepS * climate.softness);
     }
     if (!(rise > 0.0)) {
         state.guard = GripGuard::kNearLimit;
@@ -479,6 +569,59 @@ Changed pull_below(GripState& state, Rings& rings, GripSpace& space, double clim
     return risen > 0.0 ? Changed{rings.first_hollow, rings.count} : Changed{};
 }
 
+// Hands on both faces squeeze the wall between them as far as the fingers come closer, and take clay up as
+// they climb past it.
+Changed pinch_step(GripState& state, Rings& rings, GripSpace& space, const GripFingers& fingers,
+                   double climbed_mm, const GripClimate& climate) {
+    const double higher = fingers.second_mm->y - state.finger_mm.y;
+    const double top = rings.top_mm();
+    const double y = std::clamp(state.hand_mm.y + 0.5 * higher, std::min(rings.floor_mm() + 0.5, top), top);
+    const double wall = rings.wall_mm(rings.ring_at(y));
+    const double spare = std::max(wall / thinnest_mm(rings, y) - 1.0, 0.0);
+    const double closer = wall - state.second.between_mm - apart_mm(state, *fingers.second_mm);
+    const double thins = std::min(std::max(closer, 0.0) * relaxed(kWallS), kSqueezeMmS * kGripStepS);
+    double rise =
+        thins / wall * kPinchReachMm + kTakes * std::max(climbed_mm, 0.0) * std::min(spare, kMostSpare);
+    rise *= std::clamp((kOppositeMm - std::fabs(higher)) / kOppositeFadeMm, 0.0, 1.0) * climate.softness;
+    rise = std::min(rise, kTallestPullMm * climate.size - top) * load_fraction(climate);
+    const double part = part_left(state, rings, fingers);
+    if (!(rise > 0.0)) return {};
+    if (part < 0.3) state.guard = GripGuard::kAsHigh;
+    const double risen = pull_up(rings, space, rise * part, kStrainPerS * kGripStepS,
+                                 {.height_mm = y, .reach_mm = kPinchReachMm});
+    state.press_mm = std::max(state.press_mm, 0.5 + 0.1 * risen / kGripStepS);
+    return risen > 0.0 ? Changed{rings.first_hollow, rings.count} : Changed{};
+}
+
+// A second hand that does not hold the wall against the first one pushes it where it is: in from outside,
+// out from inside.
+Changed push_step(GripState& state, Rings& rings, GripSpace& space, const GripFingers& fingers,
+                  const GripClimate& climate) {
+    const SecondGrip& second = state.second;
+    if (!second.presses || state.opens_by_itself || holds_between(state, rings, fingers)) return {};
+    const double top = rings.top_mm();
+    const double y = std::clamp(fingers.second_mm->y, 0.0, top);
+    Move move{.height_mm = y,
+              .face_mm = outer_face_mm(rings, y),
+              .wants_mm = std::fabs(fingers.second_mm->x) + second.offset_mm};
+    if (second.is_inside) {
+        move.error_mm = std::max(move.wants_mm - inner_face_mm(rings, y), 0.0);
+    } else {
+        const double narrowest = kNarrowsTo * landed_outer(state, y / std::max(top, 1.0));
+        move.error_mm = std::min(std::max(move.wants_mm, narrowest) - move.face_mm, 0.0);
+        if (move.wants_mm < narrowest - 3.0) state.guard = GripGuard::kAsNarrow;
+    }
+    if (move.error_mm == 0.0) return {};
+    const double first_mm = outer_face_mm(rings, state.hand_mm.y);
+    Changed changed = move_wall_to(state, rings, space, move, climate);
+    place(rings, changed);
+    if (is_hollow(rings)) changed = together(changed, fair_wall(rings, space, y, relaxed(0.3), relaxed(1.5)));
+    place(rings, changed);
+    // The first hand goes along: it does not pull the wall back, nor does it jump when this one lifts.
+    if (state.grip == Grip::kWall) state.offset_mm += outer_face_mm(rings, state.hand_mm.y) - first_mm;
+    return changed;
+}
+
 Changed rim_step(GripState& state, Rings& rings, const GripClimate& climate) {
     const MannerNumbers& manner = numbers_of(climate);
     const double top = rings.top_mm();
@@ -512,18 +655,16 @@ Changed lower_floor(Rings& rings, double rate_mm_s) {
                              .largest_strain = 0.01});
 }
 
-void place(Rings& rings, const Changed& changed) {
-    if (changed.size() > 0) rings.place(changed.first, rings.count);
-}
-
-Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,
+Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const GripFingers& fingers,
                     const GripClimate& climate) {
+    const dvec2& finger = fingers.first_mm;
     follow_finger(state, finger);
     state.press_mm = 0.0;
     decide(state, rings);
     if (state.grip == Grip::kOpen) return open_step(state, rings, climate);
     if (climate.wide && state.grip == Grip::kNone && is_at_clay(rings, finger))
         land(state, rings, finger, true);
+    follow_second(state, rings, fingers, climate.wide);
     if (state.grip == Grip::kNone || state.grip == Grip::kAsking) {
         walk(state, 0.0, 1e9);
         return {};
@@ -535,7 +676,10 @@ Changed first_stage(GripState& state, Rings& rings, GripSpace& space, const dvec
     const double before = state.hand_mm.y;
     walk(state, error, top + 1.5);
     if (state.grip == Grip::kRim) return rim_step(state, rings, climate);
-    return pull_below(state, rings, space, std::min(state.hand_mm.y, top) - std::min(before, top), climate);
+    const double climbed = std::min(state.hand_mm.y, top) - std::min(before, top);
+    if (holds_between(state, rings, fingers))
+        return pinch_step(state, rings, space, fingers, climbed, climate);
+    return pull_below(state, rings, space, climbed, climate);
 }
 
 Changed second_stage(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
@@ -547,15 +691,18 @@ Changed second_stage(GripState& state, Rings& rings, GripSpace& space, const Gri
              std::min(state.hand_mm.y + kBehindMm, rings.top_mm()));
         state.press_mm = 0.3;
         if (state.still_s < kRestsAfterS || state.grip != Grip::kWall) return {};
-        state.rests_mm = std::min(state.rests_mm + kRestMmS * kGripStepS, kRestMm);
+        state.rests_mm = std::min(state.rests_mm + kRestMmS * climate.push * kGripStepS, kRestMm);
     }
     return carry_step(state, rings, space, climate);
 }
 
-Changed third_stage(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
-    if (state.grip != Grip::kWall && state.grip != Grip::kInside) return {};
-    if (state.opens_by_itself || state.travel_mm < kStartsAfterMm) return {};
-    return pull_step(state, rings, space, climate);
+Changed third_stage(GripState& state, Rings& rings, GripSpace& space, const GripFingers& fingers,
+                    const GripClimate& climate) {
+    if (state.grip == Grip::kNone || state.grip == Grip::kAsking) return {};
+    const Changed changed = push_step(state, rings, space, fingers, climate);
+    if (state.grip != Grip::kWall && state.grip != Grip::kInside) return changed;
+    if (state.opens_by_itself || state.travel_mm < kStartsAfterMm) return changed;
+    return together(changed, pull_step(state, rings, space, fingers, climate));
 }
 
 Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space, const GripClimate& climate) {
@@ -579,10 +726,10 @@ Changed fourth_stage(GripState& state, Rings& rings, GripSpace& space, const Gri
 
 }  // namespace
 
-Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger,
+Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const GripFingers& fingers,
                   const GripClimate& climate, double dt_s) noexcept {
     if (rings.count < 3) return {};
-    if (!state.presses) land(state, rings, finger, climate.wide);
+    if (!state.presses) land(state, rings, fingers.first_mm, climate.wide);
     Changed changed{};
     state.credit_s += dt_s;
     while (state.credit_s > kGripStageS - 1e-9) {
@@ -590,13 +737,13 @@ Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2&
         Changed now{};
         switch (state.stage) {
             case 0:
-                now = first_stage(state, rings, space, finger, climate);
+                now = first_stage(state, rings, space, fingers, climate);
                 break;
             case 1:
                 now = second_stage(state, rings, space, climate);
                 break;
             case 2:
-                now = third_stage(state, rings, space, climate);
+                now = third_stage(state, rings, space, fingers, climate);
                 break;
             default:
                 now = fourth_stage(state, rings, space, climate);

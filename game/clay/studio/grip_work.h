@@ -5,7 +5,7 @@
 #pragma once
 
 #include <array>
-#include <vector>
+#include <optional>
 
 #include "game/clay/studio/grip.h"
 #include "game/clay/studio/grip_moves.h"
@@ -30,7 +30,17 @@ struct GripTrail {
     int count = 0;
 };
 
-// One touch, from landing to lifting. All members are state: hashed, saved, replayed.
+// A second finger while the first presses: the other hand. Its place counts from where it landed, because two
+// fingers on a screen are farther apart than a wall is thick.
+struct SecondGrip {
+    bool presses = false;
+    bool is_inside = false;   // of the wall
+    double offset_mm = 0.0;   // its face of the wall minus the finger, at landing
+    double between_mm = 0.0;  // the wall minus the fingers' distance, at landing
+};
+
+// One touch, from landing to lifting. All members are state: hashed, saved, replayed; the second finger only
+// while it presses.
 struct GripState {
     bool presses = false;
     Grip grip = Grip::kNone;
@@ -63,24 +73,30 @@ struct GripState {
     double high_mm = 0.0;
     double credit_s = 0.0;  // simulated time not yet spent
     int stage = 0;          // of the step, 0 to kGripStages - 1
+    SecondGrip second;
 };
 
 // Ends the touch within this tick.
 void let_go(GripState& state) noexcept;
+// The fingers on the clay: the one that presses, and a second one. Places (x, y).
+struct GripFingers {
+    dvec2 first_mm{0.0};
+    std::optional<dvec2> second_mm{};
+};
 // The report for a display.
-GripReport report_of(const GripState& state, const dvec2& finger_mm) noexcept;
+GripReport report_of(const GripState& state, const GripFingers& fingers) noexcept;
 
 // Conditions of the clay that scale the hands' moves.
 struct GripClimate {
     double load_index = 0.0;  // the largest of the load sweep
-    double softness = 1.0;    // how readily the clay flows; 1 for fresh clay
+    double softness = 1.0;    // how readily the clay flows under this push; 1 for fresh clay and a finger
     double size = 1.0;        // cube root of the lump's mass in kilograms
+    double push = 1.0;        // of the finger: of one without a measured pressure
     bool wide = true;         // Manner::kWide
 };
 
-// Advances by dt_s a finger that presses at (x, y). Returns the rings that changed; their places are up to
-// date.
-Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const dvec2& finger_mm,
+// Advances by dt_s fingers that press. Returns the rings that changed; their places are up to date.
+Changed work_grip(GripState& state, Rings& rings, GripSpace& space, const GripFingers& fingers,
                   const GripClimate& climate, double dt_s) noexcept;
 
 }  // namespace onggi::clay::studio

@@ -557,31 +557,38 @@ void StudioClay::tear() {
 
 // The guided hand's part of the tick: grip_work.h on this clay, and the resulting forces.
 
-studio::GripClimate StudioClay::climate(const StudioParameters& parameters) const {
+studio::GripClimate StudioClay::climate(const tool::ToolState& tool,
+                                        const StudioParameters& parameters) const {
     constexpr double kFreshKpa = 13.0;
     constexpr double kKilogram = 1000.0;
     const int middle = std::max(rings_.ring_at(std::clamp(grip_.hand_mm.y, 0.0, rings_.top_mm())), 0);
     const auto su = static_cast<double>(rings_.strength_kpa[Rings::at(middle)]);
     const double pace = studio::flow_time_s(kFreshKpa, parameters.flow_time_s) /
                         studio::flow_time_s(su, parameters.flow_time_s);
+    const bool wide = parameters.manner == studio::Manner::kWide;
+    const double push = wide ? tool::push_of(tool) : 1.0;
     return {.load_index = std::max(sweep_.peak_index, sweep_.growing_peak),
-            .softness = std::clamp(pace, 0.4, 1.3),
+            .softness = std::clamp(pace, 0.4, 1.3) * push,
             .size = exponential(natural_log(lump_.mass_g / kKilogram) / 3.0),
-            .wide = parameters.manner == studio::Manner::kWide};
+            .push = push,
+            .wide = wide};
 }
 
 // While the wheel turns, the hands of the grip work; while it stands, a finger leaves a dent.
 Changed StudioClay::guide(const tool::ToolState& tool, const StudioParameters& parameters,
                           StudioForces& result) {
     const dvec2 finger(tool.position_mm.x, tool.position_mm.y);
+    studio::GripFingers fingers{.first_mm = finger};
+    if (tool.second.present && is_finite(tool.second))
+        fingers.second_mm = dvec2(tool.second.position_mm.x, tool.second.position_mm.y);
     const double dt = parameters.dt_s();
     const bool turning = wheel_.speed_rad_s() > studio::kTurningRadS;
     if (turning && tool.tool != Tool::kHand) return guide_tool(tool, parameters, result);
     if (tool.tool == Tool::kTrimmer) return {};  // a trimmer leaves no dent
     Changed changed{};
     if (turning) {
-        changed = studio::work_grip(grip_, rings_, grip_space_, finger, climate(parameters), dt);
-        result.grip = studio::report_of(grip_, finger);
+        changed = studio::work_grip(grip_, rings_, grip_space_, fingers, climate(tool, parameters), dt);
+        result.grip = studio::report_of(grip_, fingers);
         result.side = side_of(grip_.grip);
     } else {
         studio::let_go(grip_);

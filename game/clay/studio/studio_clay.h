@@ -190,7 +190,8 @@ class StudioClay {
                     StudioForces& result);
     studio::Changed act(studio::Contact& contact, const studio::Hand& hand, const studio::Hand* other,
                         double water, const StudioParameters& parameters);
-    [[nodiscard]] studio::GripClimate climate(const StudioParameters& parameters) const;
+    [[nodiscard]] studio::GripClimate climate(const tool::ToolState& tool,
+                                              const StudioParameters& parameters) const;
     studio::Changed guide(const tool::ToolState& tool, const StudioParameters& parameters,
                           StudioForces& result);
     studio::Changed guide_tool(const tool::ToolState& tool, const StudioParameters& parameters,

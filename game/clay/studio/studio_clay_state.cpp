@@ -15,8 +15,9 @@ namespace {
 
 using studio::Rings;
 
-// The start state begins with this tag and the lump, which determine its size.
+// The start state begins with one of these tags and the lump, which determine its size.
 constexpr std::uint32_t kStateTag = 0x334c4353;  // "SCL3"
+constexpr std::uint32_t kPairTag = 0x344c4353;   // "SCL4": while a second finger presses
 constexpr std::size_t kHeadBytes = 4 + 8 + 4 + 8 + 4 + 4 + 8 + 4;
 
 template <typename Visitor, typename Lump>
@@ -25,7 +26,8 @@ void visit_lump(Visitor& visitor, Lump& lump) {
           lump.off_centre_mm);
 }
 
-// Visits the used points of the trail, oldest first.
+// Visits the used points of the trail, oldest first; a second finger only while it presses, which a reader
+// must know before.
 template <typename Visitor, typename Grip>
 void visit_grip(Visitor& visitor, Grip& grip) {
     visit(visitor, grip.presses);
@@ -49,6 +51,8 @@ void visit_grip(Visitor& visitor, Grip& grip) {
         const int place = (grip.trail.first + i) % studio::GripTrail::kMost;
         visit(visitor, grip.trail.point_mm[static_cast<std::size_t>(place)]);
     }
+    auto& second = grip.second;
+    if (second.presses) visit(visitor, second.is_inside, second.offset_mm, second.between_mm);
 }
 
 bool is_between(double value, double least, double most) {
@@ -75,7 +79,8 @@ bool is_sound(const studio::GripState& grip) {
            is_near(grip.bottom_mm) && is_near(grip.bore_mm) && is_near(grip.press_mm) &&
            is_between(grip.bears_n_mm, 0.0, 1e12) && is_near(grip.low_mm) && is_near(grip.high_mm) &&
            is_between(grip.credit_s, 0.0, 1.0) && is_between(grip.stage, 0, studio::kGripStages - 1) &&
-           is_between(trail.count, 0, studio::GripTrail::kMost) &&
+           is_between(trail.count, 0, studio::GripTrail::kMost) && is_near(grip.second.offset_mm) &&
+           is_near(grip.second.between_mm) && (grip.presses || !grip.second.presses) &&
            std::all_of(points.begin(), points.end(), is_place) &&
            std::all_of(grip.landed_outer_mm.begin(), grip.landed_outer_mm.end(),
                        [&](float radius) { return is_between(static_cast<double>(radius), 0.0, 1e3); });
@@ -129,7 +134,7 @@ std::vector<std::byte> StudioClay::start_state() const {
     StateWriter out;
     const Rotation heading = wheel_.heading();
     const double speed = wheel_.speed_rad_s();
-    visit(out, kStateTag);
+    visit(out, grip_.second.presses ? kPairTag : kStateTag);
     visit_lump(out, lump_);
     visit(out, rings_.count, heading.cosine, heading.sine, speed);
     visit_state(*this, out);
@@ -145,8 +150,9 @@ Result<StudioClay> StudioClay::from_start_state(std::span<const std::byte> bytes
     StateReader in(bytes);
     std::uint32_t tag = 0;
     visit(in, tag);
-    if (tag != kStateTag)
-        return damaged(fmt::format("tag: expected {:#010x}, found {:#010x}", kStateTag, tag));
+    if (tag != kStateTag && tag != kPairTag)
+        return damaged(
+            fmt::format("tag: expected {:#010x} or {:#010x}, found {:#010x}", kStateTag, kPairTag, tag));
     StudioLump lump;
     visit_lump(in, lump);
     if (const auto checked = check(lump); !checked) return damaged(checked.error().message);
@@ -157,6 +163,7 @@ Result<StudioClay> StudioClay::from_start_state(std::span<const std::byte> bytes
 
     StudioClay clay(lump);
     clay.rings_.reset(count);
+    clay.grip_.second.presses = tag == kPairTag;
     Rotation heading;
     double speed = 0.0;
     visit(in, heading.cosine, heading.sine, speed);

@@ -64,6 +64,94 @@ TEST_F(KioskFingerTest, PressesWhereTheFingerIsAndEndsWithItAtOnce) {
     EXPECT_FALSE(finger_.works());
 }
 
+TEST_F(KioskFingerTest, GivesASecondFingerAsTheOtherHand) {
+    finger_.press({80.0, 50.0});
+    EXPECT_FALSE(next(finger_, shape_).second.present);
+    finger_.press_second({30.0, 55.0});
+    auto tool = next(finger_, shape_);
+    EXPECT_TRUE(tool.second.present);
+    EXPECT_EQ(tool.second.position_mm, dvec3(30.0, 55.0, 0.0));
+    EXPECT_EQ(tool.position_mm, dvec3(80.0, 50.0, 0.0)) << "the first stays the first";
+    finger_.drag_second({35.0, 60.0});
+    finger_.drag({82.0, 58.0});
+    tool = next(finger_, shape_);
+    EXPECT_EQ(tool.second.position_mm, dvec3(35.0, 60.0, 0.0));
+    EXPECT_EQ(tool.position_mm, dvec3(82.0, 58.0, 0.0));
+    EXPECT_TRUE(finger_.request({.tool = tool::Tool::kRib}, shape_, 1.0 / 60.0).pressing);
+    EXPECT_FALSE(finger_.request({.tool = tool::Tool::kRib}, shape_, 1.0 / 60.0).second.present)
+        << "one hand holds the tool";
+    finger_.drag_second({35.0, 400.0});
+    tool = next(finger_, shape_);
+    EXPECT_FALSE(tool.second.present) << "it leapt, and the first goes on";
+    EXPECT_TRUE(tool.pressing);
+}
+
+TEST_F(KioskFingerTest, GoesOnWithTheOtherFingerWhereEitherLifts) {
+    finger_.press({80.0, 50.0});
+    finger_.press_second({-80.0, 55.0});
+    static_cast<void>(next(finger_, shape_));
+    finger_.lift_second();
+    auto tool = next(finger_, shape_);
+    EXPECT_TRUE(tool.pressing && !tool.second.present);
+    EXPECT_EQ(tool.position_mm.x, 80.0);
+
+    finger_.press_second({-80.0, 55.0});
+    static_cast<void>(next(finger_, shape_));
+    finger_.lift();
+    EXPECT_FALSE(next(finger_, shape_).pressing) << "a frame between two touches, so that no hand jumps";
+    tool = next(finger_, shape_);
+    EXPECT_TRUE(tool.pressing && !tool.second.present);
+    EXPECT_EQ(tool.position_mm, dvec3(-80.0, 55.0, 0.0));
+    finger_.drag_second({-75.0, 60.0});
+    finger_.press({80.0, 40.0});
+    tool = next(finger_, shape_);
+    EXPECT_EQ(tool.position_mm, dvec3(-75.0, 60.0, 0.0)) << "who is there first leads";
+    EXPECT_EQ(tool.second.position_mm, dvec3(80.0, 40.0, 0.0));
+    finger_.lift_second();
+    finger_.drag({82.0, 42.0});
+    static_cast<void>(next(finger_, shape_));
+    tool = next(finger_, shape_);
+    EXPECT_EQ(tool.position_mm, dvec3(82.0, 42.0, 0.0));
+    EXPECT_TRUE(tool.pressing && !tool.second.present);
+    finger_.lift();
+    EXPECT_FALSE(next(finger_, shape_).pressing);
+    finger_.drag_second({0.0, 50.0});
+    EXPECT_FALSE(next(finger_, shape_).pressing) << "it has been lifted long ago";
+}
+
+TEST_F(KioskFingerTest, PushesAsHardAsAPenAndNotAtAllWhileThatRests) {
+    EXPECT_EQ(next(finger_, shape_).position_mm.z, 0.0);
+    finger_.press({80.0, 50.0});
+    finger_.push(0.03);
+    auto tool = next(finger_, shape_);
+    EXPECT_FALSE(tool.pressing) << "it rests on the glass";
+    EXPECT_EQ(tool.position_mm, dvec3(80.0, 50.0, 0.0)) << "and the drawn hand hovers there";
+    finger_.push(0.35);
+    tool = next(finger_, shape_);
+    EXPECT_TRUE(tool.pressing);
+    EXPECT_NEAR(tool::push_of(tool), 1.0, 1e-9) << "as in writing: a finger's push";
+    double before = 0.0;
+    for (double pressure = 0.06; pressure <= 1.0; pressure += 0.01) {
+        finger_.push(pressure);
+        tool = next(finger_, shape_);
+        EXPECT_TRUE(tool.pressing);
+        EXPECT_GE(tool::push_of(tool), before);
+        before = tool::push_of(tool);
+    }
+    EXPECT_NEAR(before, 1.6, 1e-9);
+    finger_.push(0.0);
+    EXPECT_FALSE(next(finger_, shape_).pressing);
+    finger_.push(0.06);
+    EXPECT_FALSE(next(finger_, shape_).pressing) << "a hand that trembles at the edge does not tap";
+    finger_.push(std::nullopt);
+    tool = next(finger_, shape_);
+    EXPECT_TRUE(tool.pressing);
+    EXPECT_EQ(tool.position_mm.z, 0.0) << "a mouse has the push that it always had";
+    finger_.push(0.5);
+    finger_.push(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(next(finger_, shape_).position_mm.z, 0.0);
+}
+
 TEST_F(KioskFingerTest, MovesAsideAfterALongIdleTime) {
     finger_.press({80.0, 50.0});
     EXPECT_EQ(after(finger_, shape_, 10.0).position_mm.x, 80.0) << "a finger that presses stays";

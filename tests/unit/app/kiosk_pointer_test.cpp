@@ -77,8 +77,51 @@ class Finger {
 };
 
 struct KioskPointer : testing::Test {
+    void second(window::TouchPhase phase, double x, double y) {
+        finger.does(window::SecondFingerEvent{phase, x, y});
+    }
+    [[nodiscard]] long count(Kind kind) const {
+        return std::count_if(finger.news.begin(), finger.news.end(),
+                             [&](const PointerNews& one) { return one.kind == kind; });
+    }
+
     Finger finger;
 };
+
+TEST_F(KioskPointer, GivesASecondFingerTheSceneAndNoButton) {
+    using window::TouchPhase;
+    finger.moves(640.0, 300.0).presses();
+    second(TouchPhase::kBegin, 150.0, 630.0);  // on Done
+    second(TouchPhase::kMove, 640.0, 200.0);
+    second(TouchPhase::kEnd, 640.0, 200.0);
+    EXPECT_TRUE(finger.pressed().empty());
+    EXPECT_EQ(count(Kind::kSecondDown) + count(Kind::kSecondMoved) + count(Kind::kSecondUp), 0);
+    EXPECT_EQ(count(Kind::kFingerUp), 0) << "the first is not disturbed";
+
+    second(TouchPhase::kBegin, 600.0, 250.0);
+    second(TouchPhase::kMove, 605.0, 250.0);
+    finger.lifts();
+    second(TouchPhase::kMove, 610.0, 250.0);
+    second(TouchPhase::kEnd, 610.0, 250.0);
+    EXPECT_EQ(count(Kind::kSecondDown), 1);
+    EXPECT_EQ(count(Kind::kSecondMoved), 2);
+    EXPECT_EQ(count(Kind::kSecondUp), 1);
+}
+
+TEST_F(KioskPointer, EndsASecondFingerThatLeavesOrLiesStill) {
+    using window::TouchPhase;
+    second(TouchPhase::kBegin, 600.0, 250.0);
+    second(TouchPhase::kMove, -30.0, 250.0);
+    EXPECT_EQ(count(Kind::kSecondUp), 1);
+    second(TouchPhase::kBegin, 600.0, 250.0);
+    finger.waits(61.0);
+    EXPECT_EQ(count(Kind::kSecondUp), 2);
+    second(TouchPhase::kBegin, 600.0, 250.0);
+    finger.does(window::FocusEvent{false});
+    EXPECT_EQ(count(Kind::kSecondUp), 3);
+    second(TouchPhase::kMove, 620.0, 250.0);
+    EXPECT_EQ(count(Kind::kSecondMoved), 0) << "its press was not seen";
+}
 
 TEST_F(KioskPointer, PressesOnReleaseOverTheSameTarget) {
     finger.moves(150, 630).presses();

@@ -44,6 +44,18 @@ class Stick final : public haptics::HapticDevice {
     void write(const dvec3& /*force_n*/) noexcept override {}
 };
 
+TEST(ToolDevices, LeaveNoSecondFingerInTheClayOfADevice) {
+    auto mouse = std::make_unique<SimulatedDevice>();
+    const SimulatedDevice& first = *mouse;
+    tool::ToolState fingers{.position_mm = {100.0, 50.0, 0.0}, .guided = true};
+    fingers.second = {.present = true, .position_mm = {-100.0, 50.0, 0.0}};
+    mouse->set_target(fingers);
+    ASSERT_TRUE(mouse->open());
+    EXPECT_TRUE(tool::moved_by(mouse->read(0, 0.001), first.last_tool()).second.present);
+    EXPECT_FALSE(tool::moved_by({.position_mm = Stick::kPlaceMm}, first.last_tool()).second.present)
+        << "it would be a ball in the wall";
+}
+
 TEST(ToolDevices, MoveTheToolThatTheFirstOfThemKnows) {
     auto mouse = std::make_unique<SimulatedDevice>();
     const SimulatedDevice& first = *mouse;

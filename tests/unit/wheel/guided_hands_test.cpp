@@ -57,6 +57,30 @@ class GuidedHands : public ::testing::Test {
     haptic::Snapshot snapshot_;
 };
 
+TEST_F(GuidedHands, AreTwoFingersEachWhereItsFingerIs) {
+    const auto works_with = [&](Grip grip, bool is_inside, const dvec2& second_mm) {
+        snapshot_.pot = &cup_;
+        snapshot_.tool.pressing = true;
+        snapshot_.result.grip = {.grip = grip,
+                                 .hand_mm = {62.0, 50.0},
+                                 .has_second = true,
+                                 .second_is_inside = is_inside,
+                                 .second_mm = second_mm};
+        return hands_of(snapshot_);
+    };
+    Hands hands = works_with(Grip::kWall, true, {40.0, 70.0});
+    EXPECT_EQ(hands[1].side, Side::kIn);
+    EXPECT_NEAR(glm::distance(touch_of(hands[1]), dvec3(52.0, 70.0, 0.0)), 0.0, 0.5);
+    hands = works_with(Grip::kWall, false, {-66.0, 30.0});
+    EXPECT_EQ(hands[1].side, Side::kOut);
+    EXPECT_NEAR(glm::distance(touch_of(hands[1]), dvec3(-60.0, 30.0, 0.0)), 0.0, 0.5);
+    EXPECT_EQ(hands[0].side, Side::kOut);
+    EXPECT_GT(touch_of(hands[0]).x, 0.0);
+    hands = works_with(Grip::kInside, false, {66.0, 80.0});
+    EXPECT_EQ(hands[1].side, Side::kIn) << "the first one stays inside";
+    EXPECT_NEAR(glm::distance(touch_of(hands[0]), dvec3(60.0, 80.0, 0.0)), 0.0, 0.5);
+}
+
 TEST_F(GuidedHands, HoldTheWallFromBothSides) {
     for (const double side : {1.0, -1.0}) {
         const Hands view = works(cup_, Grip::kWall, {side * 20.0, 40.0});

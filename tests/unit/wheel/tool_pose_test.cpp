@@ -110,6 +110,20 @@ TEST(ToolPose, LeansWithTheWall) {
     EXPECT_GT(way_out_of(settled(hand).picture().tools.at(0)).y, -0.55F) << "no wrist bends further";
 }
 
+TEST(ToolPose, TiltsAsThePenThatGuidesIt) {
+    const auto way = [](const dvec2& tilt_rad, double side) {
+        DrawnHand hand = outside();
+        hand.position_mm.x *= side;
+        hand.tilt_rad = tilt_rad;
+        return way_out_of(settled(hand).picture().tools.at(0));
+    };
+    for (const double side : {1.0, -1.0}) {
+        EXPECT_LT(way({0.4 * side, 0.0}, side).y, way({0.0, 0.0}, side).y - 0.2F) << "outwards: lower";
+        EXPECT_GT(way({-0.4 * side, 0.0}, side).y, way({0.0, 0.0}, side).y + 0.2F) << "over the pot: higher";
+        EXPECT_GT(way({0.0, 0.3}, side).z, way({0.0, 0.0}, side).z + 0.2F) << "towards the visitor";
+    }
+}
+
 TEST(ToolPose, KeepsATrimmerAboveTheWheel) {
     DrawnHand hand = outside();
     hand.tool = tool::Tool::kTrimmer;

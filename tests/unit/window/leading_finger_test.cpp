@@ -12,7 +12,8 @@ namespace {
 
 using Phase = Touch::Phase;
 
-// Fingers on a screen, and the equivalent pointer events as text: "at 10,20 down at 11,20 up".
+// Fingers on a screen, and the equivalent events as text: "at 10,20 down at 11,20 up", and of a second finger
+// "2 down 50,60".
 class AScreen : public testing::Test {
   protected:
     void touch(Phase phase, std::uint32_t finger, double x, double y, std::uint32_t time_ms) {
@@ -22,6 +23,12 @@ class AScreen : public testing::Test {
             if (!seen_.empty()) seen_ += ' ';
             if (const auto* pointer = std::get_if<PointerEvent>(&event))
                 seen_ += fmt::format("at {:.0f},{:.0f}", pointer->x_px, pointer->y_px);
+            else if (const auto* second = std::get_if<SecondFingerEvent>(&event))
+                seen_ += fmt::format("2 {} {:.0f},{:.0f}",
+                                     second->phase == Phase::kBegin  ? "down"
+                                     : second->phase == Phase::kMove ? "at"
+                                                                     : "up",
+                                     second->x_px, second->y_px);
             else
                 seen_ += std::get<ButtonEvent>(event).pressed ? "down" : "up";
         }
@@ -41,17 +48,47 @@ TEST_F(AScreen, IsAPointerToOneFinger) {
     EXPECT_EQ(seen(), "at 50,60 down");
 }
 
-TEST_F(AScreen, IgnoresOtherFingersWhileOneMoves) {
+TEST_F(AScreen, HasASecondFingerThatIsNoPointerAndIgnoresAThird) {
     touch(Phase::kBegin, 1, 100, 100, 0);
     for (std::uint32_t step = 1; step <= 10; ++step)
         touch(Phase::kMove, 1, 100, 100 + 30.0 * step, 1000 * step);
     static_cast<void>(seen());
     touch(Phase::kBegin, 2, 600, 600, 12000);
     touch(Phase::kMove, 2, 610, 600, 12010);
-    touch(Phase::kEnd, 2, 610, 600, 12020);
+    EXPECT_EQ(seen(), "2 down 600,600 2 at 610,600");
+    touch(Phase::kBegin, 3, 700, 100, 12015);
+    touch(Phase::kMove, 3, 720, 100, 12016);
+    touch(Phase::kEnd, 3, 720, 100, 12017);
     EXPECT_EQ(seen(), "");
+    touch(Phase::kEnd, 2, 610, 600, 12020);
+    EXPECT_EQ(seen(), "2 up 610,600");
     touch(Phase::kEnd, 1, 100, 400, 12030);
     EXPECT_EQ(seen(), "at 100,400 up");
+}
+
+TEST_F(AScreen, LeavesTheSecondFingerTheSecondWhereTheFirstLifts) {
+    touch(Phase::kBegin, 1, 100, 100, 0);
+    touch(Phase::kBegin, 2, 600, 600, 100);
+    touch(Phase::kEnd, 1, 100, 100, 200);
+    touch(Phase::kMove, 2, 610, 600, 300);
+    EXPECT_EQ(seen(), "at 100,100 down 2 down 600,600 at 100,100 up 2 at 610,600");
+    touch(Phase::kBegin, 3, 50, 60, 400);
+    EXPECT_EQ(seen(), "at 50,60 down") << "the next finger is the pointer again";
+}
+
+TEST_F(AScreen, KeepsAStillFingerThatHoldsTheClay) {
+    touch(Phase::kBegin, 1, 600, 300, 0);
+    leading_.keep(true, false);
+    static_cast<void>(seen());
+    touch(Phase::kBegin, 2, 500, 300, 10'000);
+    EXPECT_EQ(seen(), "2 down 500,300") << "a child's finger is not taken for a palm";
+    touch(Phase::kBegin, 3, 550, 300, 20'000);
+    EXPECT_EQ(seen(), "2 up 500,300 2 down 550,300") << "the second was an elbow beside the clay";
+    leading_.keep(true, true);
+    touch(Phase::kBegin, 4, 560, 300, 30'000);
+    EXPECT_EQ(seen(), "");
+    touch(Phase::kBegin, 5, 560, 300, 300'000);
+    EXPECT_EQ(seen(), "at -1,-1 up at 560,300 down") << "nobody holds still for minutes";
 }
 
 TEST_F(AScreen, LetsANewFingerReplaceOneThatLiesStill) {
@@ -82,7 +119,7 @@ TEST_F(AScreen, LetsANewFingerReplaceOneThatIsNeverLifted) {
     };
     wanders_until(300'000);
     touch(Phase::kBegin, 2, 600, 300, 300'000);
-    EXPECT_EQ(seen(), "");
+    EXPECT_EQ(seen(), "2 down 600,300");
     wanders_until(301'000);
     touch(Phase::kBegin, 3, 600, 300, 301'000);
     EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down") << "a drop of water kept everybody out";
@@ -92,7 +129,7 @@ TEST_F(AScreen, WaitsBeforeItTakesAFingerForAHandThatLies) {
     touch(Phase::kBegin, 1, 640, 300, std::numeric_limits<std::uint32_t>::max() - 500);
     static_cast<void>(seen());
     touch(Phase::kBegin, 2, 600, 300, 2000);  // two seconds and a half later, over the end of the count
-    EXPECT_EQ(seen(), "");
+    EXPECT_EQ(seen(), "2 down 600,300");
     touch(Phase::kBegin, 3, 600, 300, 2600);
     EXPECT_EQ(seen(), "at -1,-1 up at 600,300 down");
 }

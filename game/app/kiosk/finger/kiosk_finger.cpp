@@ -97,7 +97,7 @@ void KioskFinger::take_over() {
     idle_s_ = 0.0;
 }
 
-void KioskFinger::press(const dvec2& place_mm) {
+void KioskFinger::begin(const dvec2& place_mm) {
     take_over();
     marker_.hide();
     if (!is_place(place_mm)) return;
@@ -107,23 +107,86 @@ void KioskFinger::press(const dvec2& place_mm) {
     began_mm_ = finger_mm_;
 }
 
-void KioskFinger::drag(const dvec2& place_mm) {
+void KioskFinger::follow(const dvec2& place_mm) {
     if (presser_ != Presser::kFinger || is_lifted_) return;
     if (!is_place(place_mm) || glm::length(within_reach(place_mm) - finger_mm_) > kLeapMm) {
-        release();
+        if (!passes_on()) release();
         return;
     }
     finger_mm_ = within_reach(place_mm);
     idle_s_ = 0.0;
 }
 
-void KioskFinger::lift() {
+bool KioskFinger::passes_on() {
+    if (!finger_presses() || !other_mm_) return false;
+    const bool second_leads = !second_leads_;
+    const dvec2 place_mm = *other_mm_;
+    begin(place_mm);
+    second_leads_ = second_leads;
+    return true;
+}
+
+void KioskFinger::end() {
+    if (passes_on()) return;
     is_lifted_ = presser_ == Presser::kFinger && began_mm_;
     if (!is_lifted_) release();
 }
 
+void KioskFinger::follow_other(const dvec2& place_mm) {
+    if (!other_mm_) return;
+    const bool leaps = !is_place(place_mm) || glm::length(within_reach(place_mm) - *other_mm_) > kLeapMm;
+    other_mm_ = leaps ? std::nullopt : std::optional(within_reach(place_mm));
+}
+
+void KioskFinger::press(const dvec2& place_mm) {
+    if (!second_leads_ || !finger_presses()) return begin(place_mm);
+    if (is_place(place_mm)) other_mm_ = within_reach(place_mm);
+}
+
+void KioskFinger::drag(const dvec2& place_mm) {
+    second_leads_ ? follow_other(place_mm) : follow(place_mm);
+}
+
+void KioskFinger::lift() {
+    second_leads_ ? other_mm_.reset() : end();
+}
+
+void KioskFinger::press_second(const dvec2& place_mm) {
+    if (!is_place(place_mm)) return;
+    if (finger_presses()) {
+        other_mm_ = within_reach(place_mm);
+    } else {
+        begin(place_mm);
+        second_leads_ = true;
+    }
+}
+
+void KioskFinger::drag_second(const dvec2& place_mm) {
+    second_leads_ ? follow(place_mm) : follow_other(place_mm);
+}
+
+void KioskFinger::lift_second() {
+    second_leads_ ? end() : other_mm_.reset();
+}
+
+void KioskFinger::push(std::optional<double> pressure) {
+    constexpr double kPressesFrom = 0.08;  // of a pen's range, about 30 g of most pens
+    constexpr double kRestsBelow = 0.05;
+    constexpr double kAsAFinger = 0.35;  // the pressure of ordinary writing
+    constexpr double kFirmest = 1.6;
+    if (!pressure || !std::isfinite(*pressure)) {
+        push_ = 1.0;
+        return;
+    }
+    const bool presses = *pressure >= (push_ > 0.0 ? kRestsBelow : kPressesFrom);
+    const double push = (*pressure - kRestsBelow) / (kAsAFinger - kRestsBelow);
+    push_ = presses ? std::clamp(push, tool::kLeastPush, kFirmest) : 0.0;
+}
+
 void KioskFinger::release() {
     presser_ = Presser::kNobody;
+    other_mm_.reset();
+    second_leads_ = false;
     began_mm_.reset();
     is_lifted_ = false;
     touch_.stop();
@@ -202,7 +265,8 @@ void KioskFinger::work_off_keys(const pot::Pot& shape) {
 // A slow frame may hold a long way of the finger.
 void KioskFinger::drop_leap(double dt_s) {
     const double most_mm = kLeapMm * std::max(1.0, dt_s / kFrameS);
-    if (presser_ == Presser::kFinger && glm::length(finger_mm_ - shown_before_mm_) > most_mm) release();
+    if (presser_ == Presser::kFinger && glm::length(finger_mm_ - shown_before_mm_) > most_mm && !passes_on())
+        release();
 }
 
 // The place of a finger or a gamepad in this frame: a touch's first place has a frame of its own.
@@ -231,7 +295,7 @@ dvec2 KioskFinger::finger_now(const pot::Pot& shape, double dt_s) {
 
 // Separates two touches by one frame without pressing; otherwise the clay would take them for one.
 bool KioskFinger::presses_now() {
-    const bool presses = presser_ != Presser::kNobody || touch_.presses();
+    const bool presses = (finger_presses() ? push_ > 0.0 : presser_ != Presser::kNobody) || touch_.presses();
     const bool is_another = pressing_ && *pressing_ != touches_;
     pressing_ = presses && !is_another ? std::optional(touches_) : std::nullopt;
     return pressing_.has_value();
@@ -259,6 +323,9 @@ tool::ToolState KioskFinger::request(const HeldTool& held, const pot::Pot& shape
     if (holds_wire) hold_wire(shape);
     tool.position_mm = dvec3(finger_now(shape, dt_s), 0.0);
     tool.pressing = presses_now() && !holds_wire;
+    if (finger_presses() && push_ > 0.0) tool.position_mm.z = tool::z_of_push(push_);
+    if (tool.pressing && other_mm_ && held.tool == tool::Tool::kHand)
+        tool.second = {.present = true, .position_mm = dvec3(*other_mm_, 0.0)};
     marker_mm_ = holds_wire ? std::nullopt : marker_.place_mm(shape);
     tool.tool = holds_wire ? tool::Tool::kHand : held.tool;
     if (std::exchange(cuts_, false)) {

@@ -61,6 +61,14 @@ class KioskFinger {
     // The finger has left. A touch that began since the last request still gets its requests, at its start
     // and at its end.
     void lift();
+    // A second finger: the other hand while the first presses. If either lifts, the other goes on. It ends
+    // with a place that is no number, or with a jump, and the first goes on.
+    void press_second(const dvec2& place_mm);
+    void drag_second(const dvec2& place_mm);
+    void lift_second();
+    // How hard a pen pushes, 0 to 1 of its range; empty: a finger or a mouse, whose push is fixed. A pen that
+    // only rests does not press.
+    void push(std::optional<double> pressure);
     // Ends the touch of any input at once.
     void release();
     // A hovering mouse.
@@ -106,6 +114,13 @@ class KioskFinger {
     };
 
     void take_over();
+    void begin(const dvec2& place_mm);
+    void follow(const dvec2& place_mm);
+    // The leading finger has gone. passes_on(): whether the other one leads now.
+    void end();
+    [[nodiscard]] bool passes_on();
+    void follow_other(const dvec2& place_mm);
+    [[nodiscard]] bool finger_presses() const { return presser_ == Presser::kFinger && !is_lifted_; }
     void drop_leap(double dt_s);
     [[nodiscard]] dvec2 take_place();
     void ask_for(const WaitingKey& key);
@@ -119,9 +134,13 @@ class KioskFinger {
     dvec2 shown_before_mm_{0.0};     // the finger in the last frame
     std::optional<dvec2> began_mm_;  // of a touch that no request has shown yet
     bool is_lifted_ = false;         // the touch ends when its last place was requested
-    double idle_s_ = 1e9;            // since the finger last moved
-    bool pad_held_ = false;          // the gamepad's button; a new press needs a release first
-    bool pad_has_come_ = false;      // the gamepad's finger is at the clay on the wheel
+    // Of two fingers, the one that came first leads, and the other one is the other hand.
+    std::optional<dvec2> other_mm_;
+    bool second_leads_ = false;
+    double push_ = 1.0;          // of a finger's; 0: a pen that rests
+    double idle_s_ = 1e9;        // since the finger last moved
+    bool pad_held_ = false;      // the gamepad's button; a new press needs a release first
+    bool pad_has_come_ = false;  // the gamepad's finger is at the clay on the wheel
     KioskTouch touch_;
     std::deque<WaitingKey> waiting_;         // keys that arrived during a touch
     std::uint64_t touches_ = 0;              // touches begun so far, by any input

@@ -34,6 +34,7 @@ dvec3 place(vec2 px) {
 KioskPointer::KioskPointer()
     : mouse_(kLifePx),
       finger_(kFingerStillPx),
+      second_(kFingerStillPx),
       presses_(kLifePx, kLifePx),
       wheel_(0.0) {}
 
@@ -42,13 +43,15 @@ void KioskPointer::advance(double now_s) {
     advanced_s_ = now_s;
     mouse_.pass(dt_s);
     finger_.pass(dt_s);
+    second_.pass(dt_s);
     presses_.pass(dt_s, buttons_down_ != 0);
     wheel_.pass(dt_s);
 }
 
 std::vector<std::string> KioskPointer::restless() const {
     std::vector<std::string> words;
-    if (presses_.never_rests() || (finger_down_ && finger_.never_rests()))
+    if (presses_.never_rests() || (finger_down_ && finger_.never_rests()) ||
+        (second_down_ && second_.never_rests()))
         words.emplace_back("touch screen or mouse button");
     if (mouse_.never_rests() && buttons_down_ == 0) words.emplace_back("mouse");
     if (wheel_.never_rests()) words.emplace_back("mouse wheel");
@@ -222,6 +225,39 @@ void KioskPointer::lift_finger(std::vector<PointerNews>& news) {
     finger_down_ = false;
 }
 
+void KioskPointer::lift_second(std::vector<PointerNews>& news) {
+    if (second_down_) news.push_back({.kind = Kind::kSecondUp, .at_px = second_px_});
+    second_down_ = false;
+}
+
+// It presses no button and holds no corner, so that an elbow beside a hand at work does neither.
+void KioskPointer::handle_second(const window::SecondFingerEvent& finger, std::vector<PointerNews>& news) {
+    second_px_ = vec2(finger.x_px, finger.y_px);
+    const bool is_on_scene =
+        in_window(second_px_) && std::isfinite(finger.x_px) && std::isfinite(finger.y_px);
+    switch (finger.phase) {
+        case window::TouchPhase::kBegin:
+            lift_second(news);
+            if (!is_on_scene || in_corner(second_px_) || target_at(second_px_) >= 0 ||
+                !presses_.struck_at(place(second_px_)))
+                return;
+            second_down_ = true;
+            second_ = haptics::ControlSense(kFingerStillPx);
+            static_cast<void>(second_.moved_to(place(second_px_), 0.0));
+            news.push_back({.kind = Kind::kSecondDown, .at_px = second_px_});
+            return;
+        case window::TouchPhase::kMove: {
+            if (second_down_ && !is_on_scene) lift_second(news);
+            if (!second_down_) return;
+            const bool lives = second_.moved_to(place(second_px_), 0.0);
+            news.push_back({.kind = Kind::kSecondMoved, .at_px = second_px_, .lives = lives});
+            return;
+        }
+        case window::TouchPhase::kEnd:
+            return lift_second(news);
+    }
+}
+
 void KioskPointer::handle_pointer(const window::PointerEvent& pointer, double now_s,
                                   std::vector<PointerNews>& news) {
     if (!std::isfinite(pointer.x_px) || !std::isfinite(pointer.y_px)) {
@@ -293,12 +329,15 @@ void KioskPointer::handle(const window::Event& event, double now_s, std::vector<
         handle_pointer(*pointer, now_s, news);
     } else if (const auto* button = std::get_if<window::ButtonEvent>(&event)) {
         handle_button(*button, now_s, news);
+    } else if (const auto* second = std::get_if<window::SecondFingerEvent>(&event)) {
+        handle_second(*second, news);
     } else if (const auto* key = std::get_if<window::KeyEvent>(&event)) {
         handle_key(*key, now_s, news);
     } else if (const auto* focus = std::get_if<window::FocusEvent>(&event)) {
         if (focus->focused) return;
         // A window without focus gets no release events.
         lift_finger(news);
+        lift_second(news);
         buttons_down_ = 0;
         pressed_ = -1;
         pressed_over_ = false;
@@ -322,6 +361,7 @@ void KioskPointer::pass_time(double now_s, std::vector<PointerNews>& news) {
         }
     }
     if (finger_down_ && finger_.still_s() >= kLongestStillS) lift_finger(news);
+    if (second_down_ && second_.still_s() >= kLongestStillS) lift_second(news);
     if (life_s_ && now_s >= *life_s_) {
         life_s_.reset();
         news.push_back({.kind = Kind::kLife, .at_px = at_px_});

@@ -22,10 +22,13 @@ struct PointerNews {
         kFingerDown,   // on the scene, not on a target
         kFingerMoved,  // while the finger is down
         kFingerUp,     // lifted, or ended because it cannot be a finger
-        kHovered,      // the mouse moved with no button held
-        kNudged,       // an arrow key without a focus ring; `button` is one of the pad's
-        kPutDown,      // Enter without a focus ring
-        kCornerHeld,   // the staff's corner was held long enough
+        kSecondDown,   // a second finger, on the scene: the same three, whether or not the first is down
+        kSecondMoved,
+        kSecondUp,
+        kHovered,     // the mouse moved with no button held
+        kNudged,      // an arrow key without a focus ring; `button` is one of the pad's
+        kPutDown,     // Enter without a focus ring
+        kCornerHeld,  // the staff's corner was held long enough
         kCloseAsked,
         kFullScreen,
         kStopForce,
@@ -83,6 +86,8 @@ class KioskPointer {
     void handle_pointer(const window::PointerEvent& pointer, double now_s, std::vector<PointerNews>& news);
     void handle_button(const window::ButtonEvent& button, double now_s, std::vector<PointerNews>& news);
     void lift_finger(std::vector<PointerNews>& news);
+    void handle_second(const window::SecondFingerEvent& finger, std::vector<PointerNews>& news);
+    void lift_second(std::vector<PointerNews>& news);
     void handle_key(const window::KeyEvent& key, double now_s, std::vector<PointerNews>& news);
     // False: it is released, or has been down for so long that it lies under an object.
     [[nodiscard]] bool is_pressed(const window::KeyEvent& key, double now_s);
@@ -99,7 +104,10 @@ class KioskPointer {
     std::optional<double> life_s_;  // when to report the motion as a sign of life
     unsigned buttons_down_ = 0;     // one bit per button
     bool finger_down_ = false;
-    haptics::ControlSense finger_;   // that finger
+    haptics::ControlSense finger_;  // that finger
+    bool second_down_ = false;
+    haptics::ControlSense second_;
+    vec2 second_px_{0.0F};
     haptics::ControlSense presses_;  // where the screen is pressed
     haptics::ControlSense wheel_;
     std::optional<double> key_down_s_;  // since when a key is held

@@ -142,15 +142,16 @@ bool VisitInput::begins_on_bench(vec2 px) {
     return tool.has_value();
 }
 
-void VisitInput::touch_clay(vec2 px) {
+void VisitInput::touch_clay(vec2 px, void (KioskFinger::*press)(const dvec2&)) {
     keys_lead_ = false;
     flow_.dispatch(event::ClayTouched{});
-    if (const auto place = finger_place(px)) finger_.press(*place);
+    if (const auto place = finger_place(px)) (finger_.*press)(*place);
 }
 
 void VisitInput::take_news(const PointerNews& news, double now_s) {
     using Kind = PointerNews::Kind;
-    const bool is_of_nobody = news.kind == Kind::kFingerUp || news.kind == Kind::kHovered;
+    const bool is_of_nobody =
+        news.kind == Kind::kFingerUp || news.kind == Kind::kSecondUp || news.kind == Kind::kHovered;
     if (news.lives && !is_of_nobody) finger_lived_s_ = now_s;
     if (open_finger(flow_.state()) == Finger::kBrush && take_drawing(news)) return;
     switch (news.kind) {
@@ -166,7 +167,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             if (begins_on_bench(news.at_px)) {
                 flow_.dispatch(event::Input{});
             } else if (finger_counts(flow_.state())) {
-                touch_clay(news.at_px);
+                touch_clay(news.at_px, &KioskFinger::press);
             } else {
                 flow_.dispatch(event::Input{});
             }
@@ -174,13 +175,27 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kFingerMoved:
             if (!finger_counts(flow_.state()) && open_finger(flow_.state()) != Finger::kLooks) break;
             if (news.lives) flow_.dispatch(event::Input{});
-            if (bench_.becomes_drag(news.at_px) && finger_counts(flow_.state())) touch_clay(news.at_px);
+            if (bench_.becomes_drag(news.at_px) && finger_counts(flow_.state()))
+                touch_clay(news.at_px, &KioskFinger::press);
             if (const auto place = finger_place(news.at_px)) finger_.drag(*place);
             break;
         case PointerNews::Kind::kFingerUp:
             if (const auto tool = bench_.lift(); tool && open_finger(flow_.state()) == Finger::kClay)
                 flow_.dispatch(event::Pressed{Button::kTakeTool, static_cast<int>(visit::tray_place(*tool))});
             finger_.lift();
+            break;
+        case PointerNews::Kind::kSecondDown:
+            flow_.dispatch(event::Input{});
+            if (open_finger(flow_.state()) == Finger::kClay &&
+                !bench_tool_at(bench_tools(parts_, flow_.state()), news.at_px))
+                touch_clay(news.at_px, &KioskFinger::press_second);
+            break;
+        case PointerNews::Kind::kSecondMoved:
+            if (news.lives) flow_.dispatch(event::Input{});
+            if (const auto place = finger_place(news.at_px)) finger_.drag_second(*place);
+            break;
+        case PointerNews::Kind::kSecondUp:
+            finger_.lift_second();
             break;
         case PointerNews::Kind::kHovered:
             hovered_s_ = now_s;
@@ -220,11 +235,22 @@ void VisitInput::take(const VisitMoment& moment) {
     pointer_.pass_time(moment.now_s, all);
     for (const PointerNews& news : all)
         take_news(news, moment.now_s);
+    take_pen();
+    const clay::studio::GripReport& grip = moment.snapshot.result.grip;
+    const bool holds = moment.snapshot.tool.pressing && grip.grip != clay::studio::Grip::kNone;
+    parts_.view.keep_fingers(holds, holds && grip.has_second);
     take_devices(moment.now_s);
     take_gamepads(moment);
     name_restless(moment.now_s);
     help_along();
     if (!finger_counts(flow_.state())) finger_.release();
+}
+
+// The pressure of a pen is the push, and its tilt the hand's.
+void VisitInput::take_pen() {
+    const std::optional<window::Pen> pen = parts_.view.pen();
+    finger_.push(pen ? std::optional(pen->pressure) : std::nullopt);
+    parts_.view.scene().tilt_hand(pen ? pen->tilt_rad : dvec2(0.0));
 }
 
 void VisitInput::take_devices(double now_s) {

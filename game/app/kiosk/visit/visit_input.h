@@ -59,7 +59,9 @@ class VisitInput {
     [[nodiscard]] std::optional<dvec2> finger_place(vec2 px) const;
     // A tap on a tool of the bench takes it when the finger is lifted. Returns whether one lies there.
     bool begins_on_bench(vec2 px);
-    void touch_clay(vec2 px);
+    // press: of the first finger, or of the second.
+    void touch_clay(vec2 px, void (KioskFinger::*press)(const dvec2&));
+    void take_pen();
     void take_devices(double now_s);
     void take_gamepads(const VisitMoment& moment);
     void help_along();  // attracts the finger to the shown outline
