@@ -11,6 +11,13 @@
 
 namespace onggi::clay::studio {
 
+// The way of a second finger, if it is there.
+struct FingerWay {
+    dvec2 from{0.0};
+    dvec2 to{0.0};
+    bool is_there = false;
+};
+
 // A finger on the clay's plane, a millisecond at a time whatever the rate.
 struct Finger {
     explicit Finger(double rate_hz = 1000.0, double mass_g = 1000.0) : clay({.mass_g = mass_g}) {
@@ -48,13 +55,8 @@ struct Finger {
         input.second = {};
         tick();
     }
-    struct Way {
-        dvec2 from{0.0};
-        dvec2 to{0.0};
-        bool is_there = false;
-    };
     // The same without lifting, and with a second finger if it is there.
-    void move(const dvec2& from, const dvec2& to, double seconds, const Way& second = Way()) {
+    void move(const dvec2& from, const dvec2& to, double seconds, const FingerWay& second = {}) {
         input.pressing = true;
         input.second.present = second.is_there;
         const int ticks = static_cast<int>(seconds * parameters.rate_hz);

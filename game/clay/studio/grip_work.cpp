@@ -508,10 +508,10 @@ bool holds_between(const GripState& state, const Rings& rings, const GripFingers
 }
 
 // What is left of a touch's part of the rise, 1 to 0. One finger takes half of what it found: what it has
-// risen is at most what is left. Two hands on the wall take three quarters.
+// risen is at most what is left. Two hands on the wall take five sixths.
 double part_left(const GripState& state, const Rings& rings, const GripFingers& fingers) {
     const double risen = rings.top_mm() - state.landed_top_mm;
-    const double left = spare_rise(rings) - (holds_between(state, rings, fingers) ? risen / 3.0 : risen);
+    const double left = spare_rise(rings) - (holds_between(state, rings, fingers) ? risen / 5.0 : risen);
     return std::clamp(left / kTouchEndsMm, 0.0, 1.0);
 }
 
