@@ -199,7 +199,7 @@ def build(pose):
 
     low, high = vector(-200, -110, -75), vector(ARM_LENGTH + 50, 60, 85)
     parts = [skin.part("skin", bare, low, vector(SLEEVE_FROM + 30, 60, 85), 1.0, pose["triangles"], smear, tone, whole,
-                       lambda p: np.clip(np.sum(detail(p), axis=0) + 0.6 * splashes(p), 0.0, 1.0)),
+                       lambda p: np.clip(np.sum(detail(p), axis=0) + 0.2 * splashes(p), 0.0, 1.0)),
              skin.part("linen", sleeve, vector(SLEEVE_FROM - 6, -70, -70), high, 3.4, 400,
                        lambda p: 0.35 * np.clip(1.0 - (p[:, 0] - SLEEVE_FROM) / 40.0, 0.0, 1.0),
                        lambda p: 0.5 + 0.06 * np.sin(p[:, 0] * 0.09 + p[:, 2] * 0.13), whole)]
@@ -228,7 +228,7 @@ OUTER = {
     "nail": (0.15, 0.75, 0.65),
     "turn": rotation((0, 1, 0), -24) @ rotation((0, 0, 1), 8) @ rotation((1, 0, 0), -34),
     "pad": (-7.0, -1.5, 0.0),
-    "triangles": 5400,
+    "triangles": 4400,
 }
 # Inside: two fingers pointing down into the pot, their pads towards the wall (-X is the clay here too), the others
 # curled, since a wall of 50 mm radius has no room for four side by side. The forearm leaves through the mouth towards
@@ -239,5 +239,5 @@ INNER = {
     "nail": (0.2, 0.7, 0.7),
     "turn": rotation((0, 0, 1), 78) @ rotation((1, 0, 0), 180),
     "pad": (-10.5, 0.0, 0.0),
-    "triangles": 4800,
+    "triangles": 4000,
 }
