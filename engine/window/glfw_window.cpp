@@ -206,8 +206,7 @@ class GlfwWindow final : public Window {
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int code, int action, int) {
             // A hand that holds a pen presses the buttons at its side by accident.
-            const bool is_at_side =
-                code != GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS && self(w).pen();
+            const bool is_at_side = code != GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS && self(w).pen();
             if (code <= GLFW_MOUSE_BUTTON_MIDDLE && !is_at_side)
                 self(w).push(ButtonEvent{button_of(code), action == GLFW_PRESS});
         });
