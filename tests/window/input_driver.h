@@ -42,7 +42,7 @@ class InputDriver {
     InputDriver(const InputDriver&) = delete;
     InputDriver& operator=(const InputDriver&) = delete;
 
-    // XI_TouchBegin, XI_TouchUpdate or XI_TouchEnd of a finger, at a place in fractions of the screen.
+    // type: XI_TouchBegin, XI_TouchUpdate or XI_TouchEnd of XInput 2. A place is in fractions of the screen.
     void touch(std::uint32_t finger, std::uint32_t type, double x, double y) {
         xf86ITEventTouch event{};
         event.touchid = finger;

@@ -1,12 +1,13 @@
 // Two fingers and a pen on a real display: an X server with a touch screen and a pen (input_driver.h). The
 // server's pen has a pressure and no tilt. Runs in real time, but waits for what it expects.
-#include <X11/X.h>
-#include <X11/extensions/XI2.h>
 #include <gtest/gtest.h>
 #include <xcb/xcb.h>
 #include <xcb/xinput.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -74,17 +75,17 @@ class AWindow : public testing::Test {
 };
 
 TEST_F(AWindow, TellsTwoFingersApart) {
-    touch_screen().touch(1, XI_TouchBegin, 0.2, 0.2);
+    touch_screen().touch(1, XCB_INPUT_TOUCH_BEGIN, 0.2, 0.2);
     EXPECT_TRUE(reports<ButtonEvent>([](const ButtonEvent& button) { return button.pressed; }));
-    touch_screen().touch(2, XI_TouchBegin, 0.3, 0.3);
+    touch_screen().touch(2, XCB_INPUT_TOUCH_BEGIN, 0.3, 0.3);
     EXPECT_TRUE(reports<SecondFingerEvent>(
         [](const SecondFingerEvent& finger) { return finger.phase == TouchPhase::kBegin; }));
-    touch_screen().touch(2, XI_TouchUpdate, 0.32, 0.3);
+    touch_screen().touch(2, XCB_INPUT_TOUCH_UPDATE, 0.32, 0.3);
     EXPECT_TRUE(reports<SecondFingerEvent>(
         [](const SecondFingerEvent& finger) { return finger.phase == TouchPhase::kMove; }));
-    touch_screen().touch(1, XI_TouchEnd, 0.2, 0.2);
+    touch_screen().touch(1, XCB_INPUT_TOUCH_END, 0.2, 0.2);
     EXPECT_TRUE(reports<ButtonEvent>([](const ButtonEvent& button) { return !button.pressed; }));
-    touch_screen().touch(2, XI_TouchEnd, 0.32, 0.3);
+    touch_screen().touch(2, XCB_INPUT_TOUCH_END, 0.32, 0.3);
     EXPECT_TRUE(reports<SecondFingerEvent>(
         [](const SecondFingerEvent& finger) { return finger.phase == TouchPhase::kEnd; }));
 }
@@ -109,9 +110,9 @@ TEST_F(AWindow, FeelsThePressureOfAPenUntilAFingerComes) {
     EXPECT_FALSE(reports<ButtonEvent>([](const ButtonEvent& button) {
         return button.button != MouseButton::kLeft && button.pressed;
     })) << "a button at its side";
-    touch_screen().touch(1, XI_TouchBegin, 0.2, 0.2);
+    touch_screen().touch(1, XCB_INPUT_TOUCH_BEGIN, 0.2, 0.2);
     EXPECT_TRUE(has_pen(false));
-    touch_screen().touch(1, XI_TouchEnd, 0.2, 0.2);
+    touch_screen().touch(1, XCB_INPUT_TOUCH_END, 0.2, 0.2);
 }
 
 // Plugs the pen in or out, as `xinput enable` does.
