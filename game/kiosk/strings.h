@@ -50,8 +50,8 @@ class Language {
         return std::string_view(code_).substr(0, code_.find('-'));
     }
     [[nodiscard]] bool is_arabic() const { return primary_code() == "ar"; }
-    // Writes a number such as "0.75" with the decimal sign of `number.point`, or, in Arabic with `own_digits`,
-    // with Arabic-Indic digits.
+    // Writes a number such as "0.75" with the decimal sign of `number.point`, or, in Arabic with
+    // `own_digits`, with Arabic-Indic digits.
     [[nodiscard]] std::string number(std::string_view plain, bool own_digits) const;
     [[nodiscard]] const Punctuation& punctuation() const;
     [[nodiscard]] const std::map<std::string, Words, std::less<>>& words() const { return words_; }
@@ -65,7 +65,8 @@ class Language {
 // Writes a number with Arabic-Indic digits (from U+0660) and the Arabic decimal separator (U+066B).
 [[nodiscard]] std::string in_arabic_digits(std::string_view number);
 
-// The built-in languages, English first. They come from assets/languages; game/kiosk/CMakeLists.txt lists them.
+// The built-in languages, English first. They come from assets/languages; game/kiosk/CMakeLists.txt lists
+// them.
 [[nodiscard]] const std::vector<Language>& built_in_languages();
 
 }  // namespace onggi::kiosk

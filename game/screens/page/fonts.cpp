@@ -9,8 +9,8 @@ namespace {
 
 constexpr Families kNanum{"NanumSquareRound, Noto Sans Arabic, Noto Sans",
                           "NanumMyeongjo, Noto Naskh Arabic, Noto Serif"};
-// The plain weight of Noto Serif is that of Nanum's bold titles.
-constexpr Families kNoto{"Noto Sans, NanumSquareRound, Noto Sans Arabic",
+// Display is the narrower cut of Noto Sans. The plain weight of Noto Serif is that of Nanum's bold titles.
+constexpr Families kNoto{"Noto Sans Display, Noto Sans, NanumSquareRound, Noto Sans Arabic",
                          "Noto Serif, NanumMyeongjo, Noto Naskh Arabic", false};
 constexpr Families kArabic{"Noto Sans Arabic, NanumSquareRound, Noto Sans",
                            "Noto Naskh Arabic, NanumMyeongjo, Noto Serif"};

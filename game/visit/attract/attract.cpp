@@ -125,23 +125,22 @@ void draw_wall(Page& page) {
                 .colour = design::kSlip,
                 .align = start,
                 .language = language});
-    const float y = page.height() - (tall ? 112.0F : 74.0F);
-    const float half = tall ? width - 2.0F * kWallSide : 0.5F * width - kWallSide - 10.0F;
+    // A wide screen has room for both lines side by side.
+    const bool stacked = page.shape() != Shape::kWide;
+    const float y = page.height() - (stacked ? 112.0F : 74.0F);
+    const float half = stacked ? width - 2.0F * kWallSide : 0.5F * width - kWallSide - 10.0F;
     const auto line = [&](const Rect& rect, std::string text, ui::Align align, bool bold) {
         page.words(rect, {.text = std::move(text),
-                          .type = {28.0F, 38.0F, bold ? design::Face::kBold : design::Face::kPlain, 20.0F},
+                          .type = {28.0F, 38.0F, bold ? design::Face::kBold : design::Face::kPlain},
                           .colour = bold ? design::kSlip : design::kSlip2,
                           .align = align,
                           .language = language});
     };
-    line({rtl && !tall ? width - kWallSide - half : kWallSide, y, half, 42.0F},
+    line({rtl && !stacked ? width - kWallSide - half : kWallSide, y, half, 42.0F},
          page.language(language).shown("wall.count", page.digits(std::to_string(pots.size()), language)),
          start, true);
-    line({tall  ? kWallSide
-          : rtl ? kWallSide
-                : width - kWallSide - half,
-          tall ? y + 42.0F : y, half, 42.0F},
-         page.language(language).shown("wall.clear"), tall ? ui::Align::kCentre : ui::Align::kEnd, false);
+    line({stacked || rtl ? kWallSide : width - kWallSide - half, stacked ? y + 42.0F : y, half, 42.0F},
+         page.language(language).shown("wall.clear"), stacked ? start : ui::Align::kEnd, false);
 }
 
 constexpr ui::Colour kClear = design::kNight.with_alpha(0.0F);
@@ -161,7 +160,8 @@ float begin_height(Page& page, float width, float size, float gap) {
     constexpr float kTooHigh = 1.0e6F;
     float height = 0.0F;
     for (int place = 0; place < static_cast<int>(page.view().languages->size()); ++place) {
-        const ui::TextSize one = page.words_size(begin_words(page, place, size, ui::Align::kStart), 1.0F, width);
+        const ui::TextSize one =
+            page.words_size(begin_words(page, place, size, ui::Align::kStart), 1.0F, width);
         height += one.too_wide || one.lines > 1 ? kTooHigh : one.height + gap;
     }
     return height;
@@ -232,8 +232,8 @@ void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int la
                                                                                .language = language});
 }
 
-// Draws the labels of up to three languages side by side, of more in turns; in narrow pictures one language at
-// a time.
+// Draws the labels of up to three languages side by side, of more in turns; in narrow pictures one language
+// at a time.
 void heritage_labels(Page& page, const Exhibit& exhibit, float y) {
     constexpr float kHigh = 104.0F;
     constexpr float kGap = 16.0F;

@@ -191,6 +191,7 @@ LedgePlaces ledge_places(const Page& page, float top) {
 
 constexpr float kWideLabel = 17.0F;  // extends past its token on either side
 constexpr float kLessWideLabel = 12.0F;
+constexpr float kSlipLabel = 9.0F;
 
 void choice_token(Page& page, const Rect& place, float label, const DrawingChoice& shown, Button button,
                   int value, bool chosen, float spread = 6.0F) {
@@ -266,13 +267,13 @@ void draw_decorate(Page& page) {
         choice_token(page, places.around, label, {Icon::kTurns, "dec.around"}, Button::kAllRound, 0,
                      decorating.all_round, kWideLabel);
         choice_token(page, places.back, label,
-                     {page.right_to_left() ? Icon::kRight : Icon::kLeft, "ctl.back"}, Button::kBack, 0, false,
+                     {page.right_to_left() ? Icon::kRight : Icon::kLeft, "dec.back"}, Button::kBack, 0, false,
                      2.5F);
     } else if (decorating.tool == kInlayTool) {
         choice_token(page, places.slips[0], label, {Icon::kPale, "dec.fillw"}, Button::kSlip, 0,
-                     !decorating.black);
+                     !decorating.black, kSlipLabel);
         choice_token(page, places.slips[1], label, {Icon::kDark, "dec.fillb"}, Button::kSlip, 1,
-                     decorating.black);
+                     decorating.black, kSlipLabel);
     } else {
         const Rect rect = page.on_ledge(places.size);
         page.stepper(rect, kToolChoices[static_cast<std::size_t>(decorating.tool)].icon, kMostBrush,

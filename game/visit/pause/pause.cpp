@@ -66,8 +66,8 @@ void draw_idle(Page& page) {
 
 constexpr float kComfortGap = 24.0F;
 
-// Where the tokens of the languages stand: up to four in a row, or one below the other on a tall screen, and two
-// rows or columns of more. With low controls they are packed into the lower half.
+// Where the tokens of the languages stand: up to four in a row, or one below the other on a tall screen, and
+// two rows or columns of more. With low controls they are packed into the lower half.
 struct LanguageGrid {
     int columns;
     float wide;
@@ -92,8 +92,8 @@ LanguageGrid language_grid(const Page& page, int count) {
     grid.wide = std::min(tall ? 480.0F : 330.0F,
                          (page.width() - 64.0F - kComfortGap * static_cast<float>(grid.columns - 1)) /
                              static_cast<float>(grid.columns));
-    grid.between = low ? (many ? 8.0F : 12.0F) : 16.0F;
-    grid.high = low ? (tall ? 84.0F : many ? 52.0F : 80.0F) : tall ? 110.0F : many ? 84.0F : 150.0F;
+    grid.between = low ? (many ? 14.0F : 12.0F) : 16.0F;
+    grid.high = low ? (tall ? 84.0F : many ? 50.0F : 80.0F) : tall ? 110.0F : many ? 84.0F : 150.0F;
     // A tall screen has room below the title for the ring's name.
     const float room = height - 588.0F - static_cast<float>(rows) * (grid.high + grid.between);
     grid.top = low ? 0.5F * height + 2.0F : tall ? std::clamp(room, 140.0F, 232.0F) : 140.0F;
@@ -186,11 +186,10 @@ void draw_language(Page& page) {
         const Language& english = page.language(page.english());
         if (english.code() != page.language().code()) add_title(english);
     }
-    page.words({60.0F, 48.0F, width - 120.0F, 76.0F},
-               {.text = title,
-                .type = design::serif(40.0F, 56.0F),
-                .align = ui::Align::kCentre,
-                .language = languages.size() <= kMostTitles ? 0 : -1});
+    page.words({60.0F, 48.0F, width - 120.0F, 76.0F}, {.text = title,
+                                                       .type = design::serif(40.0F, 56.0F),
+                                                       .align = ui::Align::kCentre,
+                                                       .language = languages.size() <= kMostTitles ? 0 : -1});
     const float bottom = language_tokens(page);
     comfort_controls(page, low ? bottom + (crowded ? 10.0F : 14.0F) : tall ? bottom + 70.0F : 352.0F);
     const float done_high = crowded ? 58.0F : low ? 80.0F : 84.0F;

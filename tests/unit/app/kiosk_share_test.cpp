@@ -90,8 +90,7 @@ TEST(KioskShare, TellsThePotsStoryInEachLanguageTheHousesFirst) {
 
 TEST(KioskShare, JoinsThePotsStoryByTheSignsOfItsLanguage) {
     const test::TemporaryFolder folder;
-    test::put_file(folder / "kiosk.toml",
-                   "[languages]\norder = [\"fr\", \"ja\", \"de\"]\nfirst = \"fr\"\n");
+    test::put_file(folder / "kiosk.toml", "[languages]\norder = [\"fr\", \"ja\", \"de\"]\nfirst = \"fr\"\n");
     const auto settings = load_settings(folder / "kiosk.toml");
     ASSERT_TRUE(settings) << settings.error().message;
     const exporter::PotStory story = pot_story(jar(*settings), 0, *settings);

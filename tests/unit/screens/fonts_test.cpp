@@ -53,14 +53,15 @@ TEST(Fonts, KnowEveryLetterOfEveryLanguage) {
 TEST(Fonts, WriteAHanLetterInTheFormOfItsLanguage) {
     ui::Painter painter;
     for (const bool is_title : {false, true})
-        EXPECT_NE(written(painter, "ja", "\u76f4", is_title), written(painter, "zh-Hans", "\u76f4", is_title));
+        EXPECT_NE(written(painter, "ja", "\u76f4", is_title),
+                  written(painter, "zh-Hans", "\u76f4", is_title));
 }
 
 // Of a word in two fonts the letters differ in weight and height.
 TEST(Fonts, WriteAccentedWordsInOneFont) {
     ui::Painter painter;
     for (const bool is_title : {false, true}) {
-        const std::string plain = is_title ? "Noto Serif" : "Noto Sans";
+        const std::string plain = is_title ? "Noto Serif" : "Noto Sans Display";
         for (const auto& [code, words] :
              {std::pair("de", "Töpferscheibe"), std::pair("fr", "Étagère"), std::pair("es", "Tamaño")}) {
             ui::Text alone = text_in(code, words, is_title);
@@ -71,8 +72,8 @@ TEST(Fonts, WriteAccentedWordsInOneFont) {
     }
 }
 
-// The rules of line breaking in Japanese and Chinese: a line may end after any letter, and begins with no full
-// stop, comma or closing bracket.
+// The rules of line breaking in Japanese and Chinese: a line may end after any letter, and begins with no
+// full stop, comma or closing bracket.
 TEST(Fonts, BreakJapaneseAndChineseBetweenLettersButNotBeforeAStop) {
     ui::Painter painter;
     for (const auto& [code, words] : {std::pair("ja", "土土土土。"), std::pair("zh-Hans", "泥泥泥泥，")}) {

@@ -14,7 +14,8 @@
 namespace onggi::screens {
 namespace {
 
-constexpr std::array kCodes{"ko", "en", "ar", "ja", "zh-Hans", "de", "fr", "es"};  // as the samples order them
+constexpr std::array kCodes{"ko",      "en", "ar", "ja",
+                            "zh-Hans", "de", "fr", "es"};  // as the samples order them
 
 std::size_t bytes_of(std::span<const std::string> lines) {
     std::size_t bytes = 0;

@@ -40,7 +40,8 @@ std::shared_ptr<const Languages> offered(std::initializer_list<std::string_view>
     return std::make_shared<const Languages>(std::move(languages));
 }
 
-// Korean, English and Arabic are offered together, as the designs show them; with any other language, all are.
+// Korean, English and Arabic are offered together, as the designs show them; with any other language, all
+// are.
 std::shared_ptr<const Languages> languages_with(std::string_view code) {
     static const auto three = offered({"ko", "en", "ar"});
     static const auto all = offered({"ko", "en", "ar", "ja", "zh-Hans", "de", "fr", "es"});

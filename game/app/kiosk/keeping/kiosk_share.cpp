@@ -80,7 +80,8 @@ asset::Wordings wordings_of(const kiosk::HouseText& text, const std::string& fir
 // Within a title English, French and Spanish write common nouns small.
 std::string within_title(const kiosk::Language& language, std::string name) {
     constexpr std::array<std::string_view, 3> kSmall{"en", "fr", "es"};
-    if (std::find(kSmall.begin(), kSmall.end(), language.primary_code()) != kSmall.end() && !name.empty() && name.front() >= 'A' && name.front() <= 'Z')
+    if (std::find(kSmall.begin(), kSmall.end(), language.primary_code()) != kSmall.end() && !name.empty() &&
+        name.front() >= 'A' && name.front() <= 'Z')
         name.front() = static_cast<char>(name.front() - 'A' + 'a');
     return name;
 }
@@ -90,8 +91,9 @@ void add_wordings(asset::About& about, const screens::FiredPot& pot, const finis
     const bool is_after = pot.relative && pot.is_after_relative;
     const std::string& name = is_after ? language.shown(pot.relative->name_key) : language.shown("file.pot");
     const kiosk::Punctuation& signs = language.punctuation();
-    about.title.push_back({language.code(), fmt::format("{}{}{}", name, signs.comma,
-                                                        within_title(language, language.spoken(glaze.name_key)))});
+    about.title.push_back(
+        {language.code(),
+         fmt::format("{}{}{}", name, signs.comma, within_title(language, language.spoken(glaze.name_key)))});
     std::string made =
         language.shown("file.made", language.number(fmt::format("{:.0f}", pot.height_mm), own_digits));
     if (pot.relative) {
@@ -99,8 +101,9 @@ void add_wordings(asset::About& about, const screens::FiredPot& pot, const finis
         std::string line = words.nearest_name + '\n' + words.nearest_line;
         for (std::size_t end = line.find('\n'); end != std::string::npos; end = line.find('\n', end))
             line.replace(end, 1, signs.comma);
-        made += fmt::format("{}{}{}{}{}", signs.stop == "." ? " " : "",
-                            language.shown(is_after ? "your.after" : "your.near"), signs.colon, line, signs.stop);
+        made +=
+            fmt::format("{}{}{}{}{}", signs.stop == "." ? " " : "",
+                        language.shown(is_after ? "your.after" : "your.near"), signs.colon, line, signs.stop);
     }
     about.description.push_back({language.code(), std::move(made)});
 }
