@@ -191,7 +191,6 @@ LedgePlaces ledge_places(const Page& page, float top) {
 
 constexpr float kWideLabel = 17.0F;  // extends past its token on either side
 constexpr float kLessWideLabel = 12.0F;
-constexpr float kSlipLabel = 9.0F;
 
 void choice_token(Page& page, const Rect& place, float label, const DrawingChoice& shown, Button button,
                   int value, bool chosen, float spread = 6.0F) {
@@ -271,9 +270,9 @@ void draw_decorate(Page& page) {
                      2.5F);
     } else if (decorating.tool == kInlayTool) {
         choice_token(page, places.slips[0], label, {Icon::kPale, "dec.fillw"}, Button::kSlip, 0,
-                     !decorating.black, kSlipLabel);
+                     !decorating.black);
         choice_token(page, places.slips[1], label, {Icon::kDark, "dec.fillb"}, Button::kSlip, 1,
-                     decorating.black, kSlipLabel);
+                     decorating.black);
     } else {
         const Rect rect = page.on_ledge(places.size);
         page.stepper(rect, kToolChoices[static_cast<std::size_t>(decorating.tool)].icon, kMostBrush,
