@@ -562,7 +562,7 @@ void Page::language_token(const Rect& rect, int place, bool chosen) {
     token_body(sketch, body, look, false);
     sprite(rect.grown(kShadowReach), std::move(sketch), target);
     // On a narrow token the tick stands above the name.
-    constexpr float kNarrow = 220.0F;
+    constexpr float kNarrow = 260.0F;
     const bool is_narrow = rect.width < kNarrow;
     const float air = is_narrow ? 14.0F : 60.0F;
     const float tick_side = is_narrow ? 22.0F : 38.0F;

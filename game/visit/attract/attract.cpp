@@ -154,36 +154,47 @@ Words begin_words(const Page& page, int place, float size, ui::Align align) {
             .language = place};
 }
 
-// The height of a line of "Touch to begin" in each language at that size, or more than any room where a line
-// would break.
-float begin_height(Page& page, float width, float size, float gap) {
+// The height of the highest line of "Touch to begin" at that size, or more than any room where one would
+// break.
+float begin_height(Page& page, float width, float size) {
     constexpr float kTooHigh = 1.0e6F;
     float height = 0.0F;
     for (int place = 0; place < static_cast<int>(page.view().languages->size()); ++place) {
         const ui::TextSize one =
             page.words_size(begin_words(page, place, size, ui::Align::kStart), 1.0F, width);
-        height += one.too_wide || one.lines > 1 ? kTooHigh : one.height + gap;
+        height = std::max(height, one.too_wide || one.lines > 1 ? kTooHigh : one.height);
     }
     return height;
 }
 
 // "Touch to begin" in every language at equal size, in the configuration's order. The text is already large
-// and ignores the previous visitor's text size. Many languages have smaller lines, and more of the height
-// where `more` says so.
+// and ignores the previous visitor's text size. Many languages have smaller lines, `more` of the height
+// above, and two columns where they are centred.
 void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap, float more) {
     constexpr int kFew = 4;
     const int count = static_cast<int>(page.view().languages->size());
-    if (count > kFew) {
+    const bool many = count > kFew;
+    const int columns = many && align == ui::Align::kCentre ? 2 : 1;
+    const int rows = (count + columns - 1) / columns;
+    const float wide = rect.width / static_cast<float>(columns);
+    if (many) {
         rect.y -= more;
         rect.height += more;
         gap = std::min(gap, 6.0F);
-        while (size > design::kLeastTextSize && begin_height(page, rect.width, size, gap) > rect.height)
+        const float most = rect.height / static_cast<float>(rows) - gap;
+        while (size > design::kLeastTextSize && begin_height(page, wide - 16.0F, size) > most)
             size -= 1.0F;
     }
+    float high = 0.0F;
     for (int place = 0; place < count; ++place) {
-        const float used = page.fixed_words(rect, begin_words(page, place, size, align));
-        rect.y += used + gap;
-        rect.height -= used + gap;
+        const int column = place % columns;
+        const float x = rect.x + wide * static_cast<float>(column);
+        high = std::max(
+            high, page.fixed_words({x, rect.y, wide, rect.height}, begin_words(page, place, size, align)));
+        if (column + 1 < columns && place + 1 < count) continue;
+        rect.y += high + gap;
+        rect.height -= high + gap;
+        high = 0.0F;
     }
     if (align != ui::Align::kStart) return;
     page.box({rect.x, rect.y + 10.0F, 56.0F, 5.0F},

@@ -246,17 +246,18 @@ void draw_fault(Page& page) {
               design::kNight.with_alpha(0.93F));
     page.down({0.0F, words_y, width, height - words_y}, design::kNight.with_alpha(0.93F),
               design::kNight.with_alpha(0.97F));
+    const float title_high = page.is_square() && many ? 74.0F : 50.0F;
     const float side = tall ? 32.0F : 24.0F;
     const float column = (width - 2.0F * side) / static_cast<float>(columns);
     for (int i = 0; i < count; ++i) {
         const Rect rect{side + column * static_cast<float>(i % columns) + 8.0F,
                         words_y + (tall ? 16.0F : 4.0F) + row_high * static_cast<float>(i / columns),
                         column - 16.0F, row_high};
-        const float title =
-            page.words({rect.x, rect.y, rect.width, 50.0F}, {.text = page.language(i).shown("fault.title"),
-                                                             .type = design::serif(33.0F, 46.0F, 26.0F),
-                                                             .align = ui::Align::kCentre,
-                                                             .language = i});
+        const float title = page.words({rect.x, rect.y, rect.width, title_high},
+                                       {.text = page.language(i).shown("fault.title"),
+                                        .type = design::serif(33.0F, 46.0F, 26.0F),
+                                        .align = ui::Align::kCentre,
+                                        .language = i});
         page.words({rect.x, rect.y + title + 2.0F, rect.width, 76.0F},
                    {.text = page.language(i).shown("fault.line"),
                     .type = design::kNote,
