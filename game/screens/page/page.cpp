@@ -561,23 +561,27 @@ void Page::language_token(const Rect& rect, int place, bool chosen) {
     const Rect body{kShadowReach, kShadowReach, rect.width, rect.height};
     token_body(sketch, body, look, false);
     sprite(rect.grown(kShadowReach), std::move(sketch), target);
-    // On a narrow token the tick stands above the name.
+    // On a narrow token the tick stands above the name, unless it is too low for that.
     constexpr float kNarrow = 260.0F;
+    constexpr float kLow = 60.0F;
     const bool is_narrow = rect.width < kNarrow;
-    const float air = is_narrow ? 14.0F : 60.0F;
-    const float tick_side = is_narrow ? 22.0F : 38.0F;
+    const bool is_small = is_narrow || rect.height < kLow;
+    const bool is_above = is_narrow && rect.height >= kLow;
+    const float tick_side = is_small ? 22.0F : 38.0F;
     if (chosen) {
         ui::Sketch tick;
         add_icon(tick, Icon::kCheck, {0.0F, 0.0F}, tick_side, design::kInk);
-        const vec2 at = is_narrow ? vec2(rect.centre().x - 0.5F * tick_side, rect.y + 1.0F)
-                                  : vec2(rect.x + 26.0F, rect.centre().y - 22.0F);
+        const vec2 at =
+            is_above ? vec2(rect.centre().x - 0.5F * tick_side, rect.y + 1.0F)
+                     : vec2(rect.x + (is_small ? 18.0F : 26.0F), rect.centre().y - 0.5F * tick_side - 3.0F);
         sprite({at.x, at.y, tick_side, tick_side}, std::move(tick), target);
     }
-    const float line = is_narrow ? 44.0F : 66.0F;
-    const float lift = is_narrow ? -2.0F : 4.0F;
+    const float air = is_above ? 14.0F : is_small ? 44.0F : 60.0F;
+    const float line = is_small ? 43.0F : 66.0F;
+    const float lift = is_above ? -2.0F : is_small ? 2.0F : 4.0F;
     fixed_words({rect.x + air, rect.centre().y - 0.5F * line - lift, rect.width - 2.0F * air, line},
                 {.text = tongue.shown("name"),
-                 .type = design::serif(is_narrow ? 32.0F : 46.0F, line, design::kLeastTextSize),
+                 .type = design::serif(is_small ? 32.0F : 46.0F, line, design::kLeastTextSize),
                  .colour = design::kInk,
                  .align = ui::Align::kCentre,
                  .language = place});
