@@ -309,12 +309,12 @@ void draw_attract(Page& page) {
         page.down({0.0F, 0.0F, width, 0.22F * height}, night(0.30F), kClear);
         page.down({0.0F, 0.56F * height, width, 0.17F * height}, kClear, night(0.94F));
         page.down({0.0F, 0.73F * height, width, 0.27F * height}, night(0.94F), night(1.0F));
-        begin_lines(page, {50.0F, 980.0F, width - 100.0F, 270.0F}, 58.0F, ui::Align::kCentre, 8.0F, 120.0F);
+        begin_lines(page, {50.0F, 980.0F, width - 100.0F, 270.0F}, 58.0F, ui::Align::kCentre, 8.0F, 0.0F);
     } else {
         page.down({0.0F, 0.0F, width, 0.25F * height}, night(0.25F), kClear);
         page.down({0.0F, 0.52F * height, width, 0.18F * height}, kClear, night(0.92F));
         page.down({0.0F, 0.70F * height, width, 0.30F * height}, night(0.92F), night(0.97F));
-        begin_lines(page, {60.0F, 548.0F, width - 120.0F, 200.0F}, 48.0F, ui::Align::kCentre, 2.0F, 60.0F);
+        begin_lines(page, {60.0F, 548.0F, width - 120.0F, 200.0F}, 48.0F, ui::Align::kCentre, 2.0F, 0.0F);
     }
 }
 
