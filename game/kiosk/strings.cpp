@@ -93,6 +93,34 @@ bool Language::right_to_left() const {
     return std::find(kRightToLeft.begin(), kRightToLeft.end(), primary_code()) != kRightToLeft.end();
 }
 
+std::string Language::number(std::string_view plain, bool own_digits) const {
+    if (is_arabic() && own_digits) return in_arabic_digits(plain);
+    std::string written;
+    for (const char letter : plain) {
+        if (letter == '.') {
+            written += shown("number.point");
+        } else {
+            written += letter;
+        }
+    }
+    return written;
+}
+
+const Punctuation& Language::punctuation() const {
+    static const Punctuation plain;
+    static const std::map<std::string_view, Punctuation> own{
+        {"ar", {.comma = "\u060c "}},
+        {"de", {.after_label = ": "}},
+        {"es", {.after_label = ": "}},
+        {"fr", {.colon = "\u00a0: ", .after_label = "\u00a0: "}},
+        {"ja", {"\u3001", "\uff1a", "\u3002", "\uff1a"}},
+        {"ko", {.after_label = ": "}},
+        {"zh", {"\uff0c", "\uff1a", "\u3002", "\uff1a"}},
+    };
+    const auto found = own.find(primary_code());
+    return found == own.end() ? plain : found->second;
+}
+
 std::string in_arabic_digits(std::string_view number) {
     std::string own;
     for (const char letter : number) {

@@ -17,6 +17,14 @@ struct Words {
     bool needs_native_check = false;
 };
 
+// What stands between texts that the program joins, with its spaces.
+struct Punctuation {
+    std::string_view comma = ", ";
+    std::string_view colon = ": ";
+    std::string_view stop = ".";
+    std::string_view after_label = " ";  // between "Closest to" and a name
+};
+
 class Language {
   public:
     // Reads a table of lines `key TAB text TAB spoken TAB check`; the first line holds exactly these names.
@@ -37,15 +45,18 @@ class Language {
     [[nodiscard]] std::vector<std::string> missing_keys() const;  // present in the pattern only
     [[nodiscard]] const std::string& code() const { return code_; }
     [[nodiscard]] bool right_to_left() const;
-    // In any country: "ar", "ar-EG".
-    [[nodiscard]] bool is_arabic() const { return primary_code() == "ar"; }
-    [[nodiscard]] const std::map<std::string, Words, std::less<>>& words() const { return words_; }
-
-  private:
+    // The language in any script and country: "ar" of "ar-EG", "zh" of "zh-Hans".
     [[nodiscard]] std::string_view primary_code() const {
         return std::string_view(code_).substr(0, code_.find('-'));
     }
+    [[nodiscard]] bool is_arabic() const { return primary_code() == "ar"; }
+    // Writes a number such as "0.75" with the decimal sign of `number.point`, or, in Arabic with
+    // `own_digits`, with Arabic-Indic digits.
+    [[nodiscard]] std::string number(std::string_view plain, bool own_digits) const;
+    [[nodiscard]] const Punctuation& punctuation() const;
+    [[nodiscard]] const std::map<std::string, Words, std::less<>>& words() const { return words_; }
 
+  private:
     std::string code_;
     std::map<std::string, Words, std::less<>> words_;
     std::map<std::string, Words, std::less<>> fallback_;
@@ -54,7 +65,8 @@ class Language {
 // Writes a number with Arabic-Indic digits (from U+0660) and the Arabic decimal separator (U+066B).
 [[nodiscard]] std::string in_arabic_digits(std::string_view number);
 
-// The three built-in languages, English first: `en`, `ko`, `ar`. They come from assets/languages.
+// The built-in languages, English first. They come from assets/languages; game/kiosk/CMakeLists.txt lists
+// them.
 [[nodiscard]] const std::vector<Language>& built_in_languages();
 
 }  // namespace onggi::kiosk

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/jobs/thread_setup.h"
+#include "game/screens/page/fonts.h"
 
 namespace onggi::screens {
 namespace {
@@ -79,23 +80,44 @@ void Composer::finish() noexcept {
     painter_.reset();
 }
 
-std::string missing_fonts() {
-    const std::array<std::string, 4> families{"NanumSquareRound", "NanumMyeongjo", "Noto Sans Arabic",
-                                              "Noto Naskh Arabic"};
+std::string missing_fonts(std::span<const std::string> codes) {
+    std::vector<std::string> families;
+    for (const FontFamily& family : needed_families(codes))
+        families.emplace_back(family.name);
     ui::Painter painter;
     const std::vector<std::string> missing = painter.missing_families(families);
     if (missing.empty()) return {};
-    constexpr std::array<std::pair<const char*, const char*>, 3> kScripts{
-        {{"Latin", "A"}, {"Korean", "\uac00"}, {"Arabic", "\u0639"}}};
+    std::vector<std::string_view> packages;
+    for (const FontFamily& family : needed_families(codes)) {
+        const bool is_missing = std::find(missing.begin(), missing.end(), family.name) != missing.end();
+        if (is_missing && std::find(packages.begin(), packages.end(), family.package) == packages.end())
+            packages.push_back(family.package);
+    }
+    struct Script {
+        const char* name;
+        const char* letter;
+        std::string_view primary;  // empty: always needed
+    };
+    constexpr std::array<Script, 5> kScripts{{{"Latin", "A", ""},
+                                              {"Korean", "\uac00", ""},
+                                              {"Arabic", "\u0639", ""},
+                                              {"Japanese", "\u3042", "ja"},
+                                              {"Chinese", "\u8fd9", "zh"}}};
     std::vector<const char*> without;
-    for (const auto& [script, letter] : kScripts)
-        if (painter.measure({.words = letter, .style = {}}).unknown_glyphs > 0) without.push_back(script);
+    for (const Script& script : kScripts) {
+        const bool is_needed = std::any_of(codes.begin(), codes.end(), [&](const std::string& code) {
+            return std::string_view(code).substr(0, code.find('-')) == script.primary;
+        });
+        if (!script.primary.empty() && !is_needed) continue;
+        if (painter.measure({.words = script.letter, .style = {}}).unknown_glyphs > 0)
+            without.push_back(script.name);
+    }
     const std::string others =
         without.empty() ? "; others stand in for them"
                         : fmt::format(", nor any other font with {} letters; boxes stand in for those words",
                                       fmt::join(without, ", "));
-    return fmt::format("fonts: expected {}, found none{} until fonts-nanum and fonts-noto-core are installed",
-                       fmt::join(missing, ", "), others);
+    return fmt::format("fonts: expected {}, found none{} until {} {} installed", fmt::join(missing, ", "),
+                       others, fmt::join(packages, " and "), packages.size() > 1 ? "are" : "is");
 }
 
 }  // namespace onggi::screens

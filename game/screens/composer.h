@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <memory>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -82,8 +84,8 @@ class Composer final : private jobs::IoWork {
     jobs::IoThread thread_;
 };
 
-// The design's font families that this machine lacks, as one line for the log, or empty. Creates a font map:
-// call it before the first frame.
-[[nodiscard]] std::string missing_fonts();
+// The font families for these languages (BCP 47) that this machine lacks, as one line for the log, or empty.
+// Creates a font map: call it before the first frame.
+[[nodiscard]] std::string missing_fonts(std::span<const std::string> codes);
 
 }  // namespace onggi::screens

@@ -115,8 +115,7 @@ class Page {
         return html(language_.shown(key, digits(number)));
     }
     [[nodiscard]] std::string digits(std::string_view number) const {
-        return facts_.own_digits && language_.is_arabic() ? kiosk::in_arabic_digits(number)
-                                                          : std::string(number);
+        return language_.number(number, facts_.own_digits);
     }
     [[nodiscard]] const PotWords& words() const {
         static const PotWords none;
@@ -124,7 +123,9 @@ class Page {
     }
     // The picture's alternative text: "Your pot, Celadon".
     [[nodiscard]] std::string said() const {
-        return word("your.title") + (words().glaze.empty() ? "" : ", " + html(words().glaze));
+        const std::string& glaze = words().glaze;
+        return word("your.title") +
+               (glaze.empty() ? "" : std::string(language_.punctuation().comma) + html(glaze));
     }
 
     [[nodiscard]] std::string head() const {

@@ -72,7 +72,10 @@ std::optional<std::size_t> liked_language(std::string_view accept_language, cons
     int best_weight = 0;
     std::size_t place = 0;
     for (const std::string_view code : codes) {
-        const int weight = detail::weight_of(accept_language, code).value_or(0);
+        // "zh-CN" likes "zh-Hans", but less than "zh-CN".
+        const auto whole = detail::weight_of(accept_language, code);
+        const auto primary = detail::weight_of(accept_language, code.substr(0, code.find('-')));
+        const int weight = std::max(2 * whole.value_or(0), 2 * primary.value_or(0) - 1);
         if (weight > best_weight) {
             best = place;
             best_weight = weight;

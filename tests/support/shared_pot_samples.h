@@ -72,7 +72,8 @@ inline sharing::SharedPot full_pot(const std::string& mark) {
 
 // English, Korean, Arabic.
 inline std::shared_ptr<const std::vector<kiosk::Language>> three_languages() {
-    return std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
+    const auto& all = kiosk::built_in_languages();
+    return std::make_shared<const std::vector<kiosk::Language>>(all.begin(), all.begin() + 3);
 }
 
 }  // namespace onggi::support

@@ -131,7 +131,9 @@ int examine(const std::string& settings, const std::optional<BackendChoice>& bac
     findings.push_back(probe_sound());
     findings.push_back(probe_workshop());
     findings.push_back(probe_disk(std::filesystem::current_path()));
-    findings.push_back(probe_fonts(font_folders()));
+    // Settings that cannot be read have a finding of their own.
+    const auto config = read_config_file(settings.empty() ? kUsualSettings : settings);
+    findings.push_back(probe_fonts(font_folders(), (config ? *config : kiosk::Config()).languages.order));
     add(probe_settings(settings));
 
     std::fputs(findings_as_text(findings).c_str(), stdout);

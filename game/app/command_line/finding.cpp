@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -22,6 +21,7 @@
 #include "engine/window/window.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/sharing/listen_place.h"
+#include "game/screens/page/fonts.h"
 #include "game/wheel/wheel_scene.h"
 #include "game/wheel/workshop_files.h"
 
@@ -51,18 +51,6 @@ namespace fs = std::filesystem;
 
 constexpr double kBytesPerGb = 1e9;
 constexpr double kEnoughDiskGb = 2.0;
-
-struct FontFamily {
-    std::string_view name;
-    std::string_view file_prefix;
-    std::string_view package;
-};
-constexpr std::array<FontFamily, 4> kFontFamilies{{
-    {"NanumSquareRound", "NanumSquareRound", "fonts-nanum"},
-    {"NanumMyeongjo", "NanumMyeongjo", "fonts-nanum"},
-    {"Noto Sans Arabic", "NotoSansArabic", "fonts-noto-core"},
-    {"Noto Naskh Arabic", "NotoNaskhArabic", "fonts-noto-core"},
-}};
 
 void add_file_names_below(const fs::path& folder, std::set<std::string>& names) {
     std::error_code ignored;
@@ -358,13 +346,13 @@ std::vector<fs::path> font_folders() {
     return folders;
 }
 
-Finding probe_fonts(const std::vector<fs::path>& folders) {
+Finding probe_fonts(const std::vector<fs::path>& folders, std::span<const std::string> languages) {
     std::set<std::string> names;
     for (const fs::path& folder : folders)
         add_file_names_below(folder, names);
     std::set<std::string> missing;
     std::set<std::string> packages;
-    for (const FontFamily& family : kFontFamilies) {
+    for (const screens::FontFamily& family : screens::needed_families(languages)) {
         const auto first = names.lower_bound(std::string(family.file_prefix));
         if (first != names.end() && first->starts_with(family.file_prefix)) continue;
         missing.insert(std::string(family.name));

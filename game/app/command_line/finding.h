@@ -62,8 +62,10 @@ Finding probe_workshop();
 // Checks the free space for pots, pictures and sessions. An hour of throwing at 4 kHz may take 700 MB.
 Finding probe_disk(const std::filesystem::path& folder);
 
-// Checks the font families of the visitor's screens, searched by file name below `folders`.
-Finding probe_fonts(const std::vector<std::filesystem::path>& folders);
+// Checks the font families of the visitor's screens in these languages (BCP 47), searched by file name below
+// `folders`.
+Finding probe_fonts(const std::vector<std::filesystem::path>& folders,
+                    std::span<const std::string> languages);
 std::vector<std::filesystem::path> font_folders();
 
 // The settings file of an installed kiosk.

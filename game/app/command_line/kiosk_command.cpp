@@ -152,7 +152,8 @@ void warn_of_lacks(const KioskSettings& settings, const wheel::LiveView& view) {
         warn(line);
     for (const std::string& lack : {view.workshop_lack(), view.touch_lack()})
         if (!lack.empty()) warn(lack);
-    if (const std::string lack = screens::missing_fonts(); !lack.empty()) warn(lack);
+    if (const std::string lack = screens::missing_fonts(settings.config.languages.order); !lack.empty())
+        warn(lack);
     for (const std::string& lack : panel_lacks(settings.config, view.width(), view.height()))
         warn(lack);
 }

@@ -115,9 +115,14 @@ std::size_t language_of(std::string_view accept_language) {
 
 Responses::Responses() {
     const auto& languages = kiosk::built_in_languages();
+    // The phone's language and three others, so that the field to type in is not below the screen.
+    constexpr std::size_t kOthers = 3;
     for (std::size_t place = 0; place < languages.size(); ++place) {
-        lost_.push_back(of_text(sharing::lost_page(languages, place), kHtml, MHD_HTTP_NOT_FOUND));
-        ask_.push_back(of_text(sharing::ask_page(languages, place), kHtml, MHD_HTTP_OK));
+        std::vector<kiosk::Language> shown(languages.begin(), languages.begin() + kOthers);
+        if (place >= kOthers) shown.insert(shown.begin(), languages[place]);
+        const std::size_t first = place < kOthers ? place : 0;
+        lost_.push_back(of_text(sharing::lost_page(shown, first), kHtml, MHD_HTTP_NOT_FOUND));
+        ask_.push_back(of_text(sharing::ask_page(shown, first), kHtml, MHD_HTTP_OK));
         lost_.back().add(MHD_HTTP_HEADER_VARY, "Accept-Language");
         ask_.back().add(MHD_HTTP_HEADER_VARY, "Accept-Language");
     }

@@ -90,10 +90,4 @@ inline constexpr float kMmPerU = 0.4151F;
 // Cap height in ems of the families with the lowest capitals, Noto Sans and Serif.
 inline constexpr double kCapitalFraction = 0.719;
 
-// Families in order of preference; Arabic texts have an Arabic family first, so that digits and marks match.
-inline constexpr const char* kUiFamily = "NanumSquareRound, Noto Sans Arabic, Noto Sans";
-inline constexpr const char* kUiFamilyArabic = "Noto Sans Arabic, NanumSquareRound, Noto Sans";
-inline constexpr const char* kTitleFamily = "NanumMyeongjo, Noto Naskh Arabic, Noto Serif";
-inline constexpr const char* kTitleFamilyArabic = "Noto Naskh Arabic, NanumMyeongjo, Noto Serif";
-
 }  // namespace onggi::screens::design

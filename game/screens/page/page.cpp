@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/core/hash.h"
+#include "game/screens/page/fonts.h"
 #include "game/screens/page/legibility.h"
 
 namespace onggi::screens {
@@ -93,8 +94,7 @@ const kiosk::Language& Page::language(int place) const {
 }
 
 std::string Page::digits(std::string_view number, int place) const {
-    if (!view_.own_digits || !language(place).is_arabic()) return std::string(number);
-    return kiosk::in_arabic_digits(number);
+    return language(place).number(number, view_.own_digits);
 }
 
 std::string Page::measure(std::string_view number, std::string_view unit_key, int place) const {
@@ -152,12 +152,11 @@ void Page::picture(const Rect& rect, std::shared_ptr<const ui::Painting> paintin
 
 ui::TextStyle Page::style(const Words& words) const {
     const kiosk::Language& tongue = language(words.language);
-    const bool arabic = tongue.is_arabic();
+    const Families& families = families_of(tongue);
     ui::TextStyle style;
     const design::Face face = words.type.face;
-    style.family = face == design::Face::kSerif ? (arabic ? design::kTitleFamilyArabic : design::kTitleFamily)
-                                                : (arabic ? design::kUiFamilyArabic : design::kUiFamily);
-    style.bold = face != design::Face::kPlain;
+    style.family = face == design::Face::kSerif ? families.title : families.ui;
+    style.bold = face == design::Face::kBold || (face == design::Face::kSerif && families.has_bold_titles);
     style.size = words.type.size;
     style.line_height = words.type.line;
     style.colour = words.colour;
@@ -518,20 +517,28 @@ Rect Page::languages_token(const Rect& low) {
     ui::Sketch sketch;
     const Rect body{0.0F, 0.0F, rect.width, rect.height};
     token_body(sketch, body, Look::kOutline, false);
-    const auto letter = [&](const char* text, float x, const char* family) {
+    // The letters of the first languages that differ in them: more than three do not fit.
+    constexpr std::size_t kMostLetters = 3;
+    constexpr float kGap = 16.0F;
+    std::vector<Words> letters;
+    float x = 0.5F * (rect.width + kGap);
+    for (int place = 0; place < static_cast<int>(view_.languages->size()); ++place) {
+        Words letter{.text = language(place).shown("lang.letter"),
+                     .type = design::bold(29.0F, 36.0F),
+                     .language = place};
+        const bool is_there = std::any_of(letters.begin(), letters.end(),
+                                          [&](const Words& other) { return other.text == letter.text; });
+        if (is_there || letters.size() == kMostLetters) continue;
+        x -= 0.5F * (words_width(letter) + kGap);
+        letters.push_back(std::move(letter));
+    }
+    for (const Words& letter : letters) {
         ui::Writing writing;
         writing.at = {x, 11.0F};
-        writing.text = {.words = text,
-                        .style = {.family = family,
-                                  .bold = true,
-                                  .size = 29.0F,
-                                  .line_height = 36.0F,
-                                  .colour = design::kSlip}};
+        writing.text = {.words = letter.text, .style = style(letter)};
         sketch.add(writing);
-    };
-    letter("가", 27.0F, design::kUiFamily);
-    letter("A", 71.0F, design::kUiFamily);
-    letter("ع", 105.0F, design::kUiFamilyArabic);
+        x += words_width(letter) + kGap;
+    }
     sprite(rect, std::move(sketch), target);
     return rect;
 }
@@ -554,15 +561,27 @@ void Page::language_token(const Rect& rect, int place, bool chosen) {
     const Rect body{kShadowReach, kShadowReach, rect.width, rect.height};
     token_body(sketch, body, look, false);
     sprite(rect.grown(kShadowReach), std::move(sketch), target);
+    // On a narrow token the tick stands above the name, unless it is too low for that.
+    constexpr float kNarrow = 260.0F;
+    constexpr float kLow = 60.0F;
+    const bool is_narrow = rect.width < kNarrow;
+    const bool is_small = is_narrow || rect.height < kLow;
+    const bool is_above = is_narrow && rect.height >= kLow;
+    const float tick_side = is_small ? 22.0F : 38.0F;
     if (chosen) {
         ui::Sketch tick;
-        add_icon(tick, Icon::kCheck, {0.0F, 0.0F}, 38.0F, design::kInk);
-        sprite({rect.x + 26.0F, rect.centre().y - 22.0F, 38.0F, 38.0F}, std::move(tick), target);
+        add_icon(tick, Icon::kCheck, {0.0F, 0.0F}, tick_side, design::kInk);
+        const vec2 at =
+            is_above ? vec2(rect.centre().x - 0.5F * tick_side, rect.y + 1.0F)
+                     : vec2(rect.x + (is_small ? 18.0F : 26.0F), rect.centre().y - 0.5F * tick_side - 3.0F);
+        sprite({at.x, at.y, tick_side, tick_side}, std::move(tick), target);
     }
-    const float line = 66.0F;
-    fixed_words({rect.x + 60.0F, rect.centre().y - 0.5F * line - 4.0F, rect.width - 120.0F, line},
+    const float air = is_above ? 14.0F : is_small ? 44.0F : 60.0F;
+    const float line = is_small ? 43.0F : 66.0F;
+    const float lift = is_above ? -2.0F : is_small ? 2.0F : 4.0F;
+    fixed_words({rect.x + air, rect.centre().y - 0.5F * line - lift, rect.width - 2.0F * air, line},
                 {.text = tongue.shown("name"),
-                 .type = design::serif(46.0F, line),
+                 .type = design::serif(is_small ? 32.0F : 46.0F, line, design::kLeastTextSize),
                  .colour = design::kInk,
                  .align = ui::Align::kCentre,
                  .language = place});

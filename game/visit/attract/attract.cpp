@@ -125,48 +125,85 @@ void draw_wall(Page& page) {
                 .colour = design::kSlip,
                 .align = start,
                 .language = language});
-    const float y = page.height() - (tall ? 112.0F : 74.0F);
-    const float half = tall ? width - 2.0F * kWallSide : 0.5F * width - kWallSide - 10.0F;
+    // A wide screen has room for both lines side by side.
+    const bool stacked = page.shape() != Shape::kWide;
+    const float y = page.height() - (stacked ? 112.0F : 74.0F);
+    const float half = stacked ? width - 2.0F * kWallSide : 0.5F * width - kWallSide - 10.0F;
     const auto line = [&](const Rect& rect, std::string text, ui::Align align, bool bold) {
         page.words(rect, {.text = std::move(text),
-                          .type = {28.0F, 38.0F, bold ? design::Face::kBold : design::Face::kPlain, 20.0F},
+                          .type = {28.0F, 38.0F, bold ? design::Face::kBold : design::Face::kPlain},
                           .colour = bold ? design::kSlip : design::kSlip2,
                           .align = align,
                           .language = language});
     };
-    line({rtl && !tall ? width - kWallSide - half : kWallSide, y, half, 42.0F},
+    line({rtl && !stacked ? width - kWallSide - half : kWallSide, y, half, 42.0F},
          page.language(language).shown("wall.count", page.digits(std::to_string(pots.size()), language)),
          start, true);
-    line({tall  ? kWallSide
-          : rtl ? kWallSide
-                : width - kWallSide - half,
-          tall ? y + 42.0F : y, half, 42.0F},
-         page.language(language).shown("wall.clear"), tall ? ui::Align::kCentre : ui::Align::kEnd, false);
+    line({stacked || rtl ? kWallSide : width - kWallSide - half, stacked ? y + 42.0F : y, half, 42.0F},
+         page.language(language).shown("wall.clear"), stacked ? start : ui::Align::kEnd, false);
 }
 
 constexpr ui::Colour kClear = design::kNight.with_alpha(0.0F);
 
+Words begin_words(const Page& page, int place, float size, ui::Align align) {
+    const bool turns_side = align == ui::Align::kStart && page.language(place).right_to_left();
+    return {.text = page.language(place).shown("attract.touch"),
+            .type = design::serif(size, std::round(1.34F * size), design::kLeastTextSize),
+            .colour = design::kWhiteSlip,
+            .align = turns_side ? ui::Align::kEnd : align,
+            .language = place};
+}
+
+// The height of the highest line of "Touch to begin" at that size, or more than any room where one would
+// break.
+float begin_height(Page& page, float width, float size) {
+    constexpr float kTooHigh = 1.0e6F;
+    float height = 0.0F;
+    for (int place = 0; place < static_cast<int>(page.view().languages->size()); ++place) {
+        const ui::TextSize one =
+            page.words_size(begin_words(page, place, size, ui::Align::kStart), 1.0F, width);
+        height = std::max(height, one.too_wide || one.lines > 1 ? kTooHigh : one.height);
+    }
+    return height;
+}
+
 // "Touch to begin" in every language at equal size, in the configuration's order. The text is already large
-// and ignores the previous visitor's text size.
-void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap) {
+// and ignores the previous visitor's text size. Many languages have smaller lines, `more` of the height
+// above, and two columns where they are centred.
+void begin_lines(Page& page, Rect rect, float size, ui::Align align, float gap, float more) {
+    constexpr int kFew = 4;
     const int count = static_cast<int>(page.view().languages->size());
+    const bool many = count > kFew;
+    const int columns = many && align == ui::Align::kCentre ? 2 : 1;
+    const int rows = (count + columns - 1) / columns;
+    const float wide = rect.width / static_cast<float>(columns);
+    if (many) {
+        rect.y -= more;
+        rect.height += more;
+        gap = std::min(gap, 6.0F);
+        const float most = rect.height / static_cast<float>(rows) - gap;
+        while (size > design::kLeastTextSize && begin_height(page, wide - 16.0F, size) > most)
+            size -= 1.0F;
+    }
+    float high = 0.0F;
     for (int place = 0; place < count; ++place) {
-        const Words words{.text = page.language(place).shown("attract.touch"),
-                          .type = design::serif(size, std::round(1.34F * size)),
-                          .colour = design::kWhiteSlip,
-                          .align = align == ui::Align::kStart && page.language(place).right_to_left()
-                                       ? ui::Align::kEnd
-                                       : align,
-                          .language = place};
-        const float used = page.fixed_words(rect, words);
-        rect.y += used + gap;
-        rect.height -= used + gap;
+        const int column = place % columns;
+        const float x = rect.x + wide * static_cast<float>(column);
+        high = std::max(
+            high, page.fixed_words({x, rect.y, wide, rect.height}, begin_words(page, place, size, align)));
+        if (column + 1 < columns && place + 1 < count) continue;
+        rect.y += high + gap;
+        rect.height -= high + gap;
+        high = 0.0F;
     }
     if (align != ui::Align::kStart) return;
     page.box({rect.x, rect.y + 10.0F, 56.0F, 5.0F},
              {design::kAmber, design::kAmber, design::kAmber, design::kAmber});
     rect.y += 40.0F;
-    for (int place = 0; place < std::min(2, count); ++place) {
+    // In the first two languages; where the lines above have taken the room, in one at a time.
+    const int first = count > kFew ? page.view().attract_turn % count : 0;
+    const int last = count > kFew ? first + 1 : std::min(2, count);
+    for (int place = first; place < last; ++place) {
         const float used = page.fixed_words(
             {rect.x, rect.y, rect.width, 84.0F},
             {.text = page.language(place).shown("attract.line"),
@@ -206,7 +243,8 @@ void heritage_label(Page& page, const Exhibit& exhibit, const Rect& rect, int la
                                                                                .language = language});
 }
 
-// Draws the labels of all languages side by side; in narrow pictures one language at a time.
+// Draws the labels of up to three languages side by side, of more in turns; in narrow pictures one language
+// at a time.
 void heritage_labels(Page& page, const Exhibit& exhibit, float y) {
     constexpr float kHigh = 104.0F;
     constexpr float kGap = 16.0F;
@@ -221,7 +259,8 @@ void heritage_labels(Page& page, const Exhibit& exhibit, float y) {
         (page.width() - 64.0F - kGap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
     for (int i = 0; i < columns; ++i) {
         const float x = 32.0F + (wide + kGap) * static_cast<float>(i);
-        heritage_label(page, exhibit, {x, y, wide, kHigh}, i);
+        const int first = count > columns ? columns * page.view().attract_turn : 0;
+        heritage_label(page, exhibit, {x, y, wide, kHigh}, (first + i) % count);
     }
 }
 
@@ -238,11 +277,11 @@ void attract_heritage(Page& page, const Exhibit& exhibit) {
     const float scale = std::min(1.58F, most / static_cast<float>(exhibit.height_mm));
     page.keep_clear(page.turning_pot(exhibit.shape, finish::glaze_at(exhibit.glaze), scale, foot));
     if (wide) {
-        begin_lines(page, {64.0F, 80.0F, 330.0F, 440.0F}, 50.0F, ui::Align::kStart, 22.0F);
+        begin_lines(page, {64.0F, 80.0F, 330.0F, 440.0F}, 50.0F, ui::Align::kStart, 22.0F, -30.0F);
     } else {
         const bool tall = page.is_tall();
         begin_lines(page, {50.0F, tall ? 960.0F : 592.0F, width - 100.0F, tall ? 250.0F : 172.0F},
-                    tall ? 50.0F : 40.0F, ui::Align::kCentre, 0.0F);
+                    tall ? 50.0F : 40.0F, ui::Align::kCentre, 0.0F, 0.0F);
     }
     heritage_labels(page, exhibit, shelf_y + 48.0F);
 }
@@ -264,18 +303,18 @@ void draw_attract(Page& page) {
         page.across({0.24F * width, 0.0F, 0.18F * width, height}, night(0.88F), night(0.45F));
         page.across({0.42F * width, 0.0F, 0.14F * width, height}, night(0.45F), kClear);
         page.down({0.0F, 0.7F * height, width, 0.3F * height}, kClear, night(0.55F));
-        begin_lines(page, {64.0F, 128.0F, 400.0F, 400.0F}, 50.0F, ui::Align::kStart, 26.0F);
+        begin_lines(page, {64.0F, 128.0F, 400.0F, 400.0F}, 50.0F, ui::Align::kStart, 26.0F, 20.0F);
         wheel_shows(page, {64.0F, height - 104.0F, 400.0F, 80.0F});
     } else if (page.is_tall()) {
         page.down({0.0F, 0.0F, width, 0.22F * height}, night(0.30F), kClear);
         page.down({0.0F, 0.56F * height, width, 0.17F * height}, kClear, night(0.94F));
         page.down({0.0F, 0.73F * height, width, 0.27F * height}, night(0.94F), night(1.0F));
-        begin_lines(page, {50.0F, 980.0F, width - 100.0F, 270.0F}, 58.0F, ui::Align::kCentre, 8.0F);
+        begin_lines(page, {50.0F, 980.0F, width - 100.0F, 270.0F}, 58.0F, ui::Align::kCentre, 8.0F, 0.0F);
     } else {
         page.down({0.0F, 0.0F, width, 0.25F * height}, night(0.25F), kClear);
         page.down({0.0F, 0.52F * height, width, 0.18F * height}, kClear, night(0.92F));
         page.down({0.0F, 0.70F * height, width, 0.30F * height}, night(0.92F), night(0.97F));
-        begin_lines(page, {60.0F, 548.0F, width - 120.0F, 200.0F}, 48.0F, ui::Align::kCentre, 2.0F);
+        begin_lines(page, {60.0F, 548.0F, width - 120.0F, 200.0F}, 48.0F, ui::Align::kCentre, 2.0F, 0.0F);
     }
 }
 

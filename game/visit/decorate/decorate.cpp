@@ -266,7 +266,7 @@ void draw_decorate(Page& page) {
         choice_token(page, places.around, label, {Icon::kTurns, "dec.around"}, Button::kAllRound, 0,
                      decorating.all_round, kWideLabel);
         choice_token(page, places.back, label,
-                     {page.right_to_left() ? Icon::kRight : Icon::kLeft, "ctl.back"}, Button::kBack, 0, false,
+                     {page.right_to_left() ? Icon::kRight : Icon::kLeft, "dec.back"}, Button::kBack, 0, false,
                      2.5F);
     } else if (decorating.tool == kInlayTool) {
         choice_token(page, places.slips[0], label, {Icon::kPale, "dec.fillw"}, Button::kSlip, 0,

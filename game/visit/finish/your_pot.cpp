@@ -150,8 +150,8 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Stands&
     const bool is_jar = pot.off_round_mm.has_value();
     const float about = exhibit.card && !page.is_low() ? kSide + kGap : 0.0F;
     const std::string text = page.t(pot.is_after_relative ? "your.after" : "your.near") +
-                             (page.language().code() == "ko" ? ": " : " ") + page.t(exhibit.name_key) +
-                             (is_jar ? "" : "\n" + second_line(page, pot)) +
+                             std::string(page.language().punctuation().after_label) +
+                             page.t(exhibit.name_key) + (is_jar ? "" : "\n" + second_line(page, pot)) +
                              (is_jar && page.is_low() ? "" : "\n" + scale_words(page, pot, stands));
     const bool rtl = page.right_to_left();
     // The first text has room for three lines of five. A jar's has two lines, or one with low controls, and

@@ -66,35 +66,52 @@ void draw_idle(Page& page) {
 
 constexpr float kComfortGap = 24.0F;
 
+// Where the tokens of the languages stand: up to four in a row, or one below the other on a tall screen, and
+// two rows or columns of more. With low controls they are packed into the lower half.
+struct LanguageGrid {
+    int columns;
+    float wide;
+    float high;
+    float between;
+    float top;
+};
+
+LanguageGrid language_grid(const Page& page, int count) {
+    constexpr int kFew = 4;
+    const float height = page.height();
+    const bool tall = page.is_tall();
+    const bool low = page.is_low();
+    const bool many = count > kFew;
+    LanguageGrid grid{};
+    if (tall) {
+        grid.columns = low ? (many ? kFew : 2) : many ? 2 : 1;
+    } else {
+        grid.columns = many ? std::max(kFew, (count + 1) / 2) : count;
+    }
+    const int rows = (count + grid.columns - 1) / grid.columns;
+    grid.wide = std::min(tall ? 480.0F : 330.0F,
+                         (page.width() - 64.0F - kComfortGap * static_cast<float>(grid.columns - 1)) /
+                             static_cast<float>(grid.columns));
+    grid.between = low ? (many ? 14.0F : 12.0F) : 16.0F;
+    grid.high = low ? (tall ? 84.0F : many ? 50.0F : 80.0F) : tall ? 110.0F : many ? 84.0F : 150.0F;
+    // A tall screen has room below the title for the ring's name.
+    const float room = height - 588.0F - static_cast<float>(rows) * (grid.high + grid.between);
+    grid.top = low ? 0.5F * height + 2.0F : tall ? std::clamp(room, 140.0F, 232.0F) : 140.0F;
+    return grid;
+}
+
 // Adds a token for each language. Returns the lower edge of the last.
 float language_tokens(Page& page) {
     const View& view = page.view();
-    const float width = page.width();
-    const float height = page.height();
-    const bool tall = page.is_tall();
     const int count = static_cast<int>(view.languages->size());
-    // With low controls the tokens are packed into the lower half; more than four languages need more room.
-    const bool low = page.is_low();
-    const int columns = tall ? (low ? 2 : 1) : std::min(count, 4);
-    const int rows = (count + columns - 1) / columns;
-    const float gap = kComfortGap;
-    const float wide =
-        std::min(tall ? 480.0F : 330.0F,
-                 (width - 64.0F - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
-    const float between = low ? 12.0F : 16.0F;
-    const float high = low ? (tall ? 84.0F : 80.0F) : tall ? 110.0F : count > 4 ? 84.0F : 150.0F;
-    const float left =
-        0.5F * (width - wide * static_cast<float>(columns) - gap * static_cast<float>(columns - 1));
-    // A tall screen has room below the title for the ring's name.
-    const float room = height - 588.0F - static_cast<float>(rows) * (high + between);
-    const float tall_top = std::clamp(room, 140.0F, 232.0F);
-    const float top = low ? 0.5F * height + 2.0F - static_cast<float>(tall ? 0 : rows - 1) * (high + between)
-                      : tall ? tall_top
-                             : 140.0F;
+    const LanguageGrid grid = language_grid(page, count);
+    const float across = grid.wide + kComfortGap;
+    const float left = 0.5F * (page.width() - across * static_cast<float>(grid.columns) + kComfortGap);
     float bottom = 0.0F;
     for (int i = 0; i < count; ++i) {
-        const Rect rect{left + static_cast<float>(i % columns) * (wide + gap),
-                        top + static_cast<float>(i / columns) * (high + between), wide, high};
+        const Rect rect{left + static_cast<float>(i % grid.columns) * across,
+                        grid.top + static_cast<float>(i / grid.columns) * (grid.high + grid.between),
+                        grid.wide, grid.high};
         page.language_token(rect, i, i == view.state.comfort.language);
         bottom = std::max(bottom, rect.bottom());
     }
@@ -153,17 +170,32 @@ void draw_language(Page& page) {
     const bool tall = page.is_tall();
     const bool low = page.is_low();
     veil(page, 0.86F, 0.96F);
+    // Two rows of languages and the other controls fill a lower half.
+    const bool crowded = low && !tall && page.view().languages->size() > 4;
+    // In all languages; where these are too many for a line, in the visitor's and in English.
+    constexpr std::size_t kMostTitles = 4;
+    const auto& languages = *page.view().languages;
     std::string title;
-    for (const Language& language : *page.view().languages)
+    const auto add_title = [&](const Language& language) {
         title += (title.empty() ? "" : " \u00b7 ") + language.shown("lang.title");
-    page.words(
-        {60.0F, 48.0F, width - 120.0F, 76.0F},
-        {.text = title, .type = design::serif(40.0F, 56.0F), .align = ui::Align::kCentre, .language = 0});
+    };
+    if (languages.size() <= kMostTitles) {
+        std::for_each(languages.begin(), languages.end(), add_title);
+    } else {
+        add_title(page.language());
+        const Language& english = page.language(page.english());
+        if (english.code() != page.language().code()) add_title(english);
+    }
+    page.words({60.0F, 48.0F, width - 120.0F, 76.0F}, {.text = title,
+                                                       .type = design::serif(40.0F, 56.0F),
+                                                       .align = ui::Align::kCentre,
+                                                       .language = languages.size() <= kMostTitles ? 0 : -1});
     const float bottom = language_tokens(page);
-    comfort_controls(page, low ? bottom + 14.0F : tall ? bottom + 70.0F : 352.0F);
-    const float done_y = page.height() - (low ? 98.0F : tall ? 160.0F : 120.0F);
-    page.token({0.5F * (width - 280.0F), done_y, 280.0F, low ? 80.0F : 84.0F}, Look::kPrimary,
-               Button::kComfortDone, page.t("lang.done"));
+    comfort_controls(page, low ? bottom + (crowded ? 10.0F : 14.0F) : tall ? bottom + 70.0F : 352.0F);
+    const float done_high = crowded ? 58.0F : low ? 80.0F : 84.0F;
+    const float done_y = page.height() - (low ? done_high + 18.0F : tall ? 160.0F : 120.0F);
+    page.token({0.5F * (width - 280.0F), done_y, 280.0F, done_high}, Look::kPrimary, Button::kComfortDone,
+               page.t("lang.done"));
 }
 
 void draw_resume(Page& page) {
@@ -195,7 +227,12 @@ void draw_fault(Page& page) {
     const bool tall = page.is_tall();
     const int count = static_cast<int>(view.languages->size());
     page.museum({0.5F * width, 0.42F * height}, {0.4F * width, 0.55F * height}, 0.16F);
-    const float shelf_y = tall ? 640.0F : height - 196.0F;
+    // All languages at once: in columns, or in rows on a tall screen; more than four in two of each.
+    constexpr int kFew = 4;
+    const bool many = count > kFew;
+    const int columns = tall ? (many ? 2 : 1) : many ? (count + 1) / 2 : count;
+    const float row_high = many ? 150.0F : tall ? 170.0F : 150.0F;
+    const float shelf_y = tall ? 640.0F : height - (many ? 346.0F : 196.0F);
     page.shelf(shelf_y, 32.0F);
     if (!view.exhibits->empty()) {
         const Exhibit& resting = view.exhibits->back();
@@ -209,18 +246,18 @@ void draw_fault(Page& page) {
               design::kNight.with_alpha(0.93F));
     page.down({0.0F, words_y, width, height - words_y}, design::kNight.with_alpha(0.93F),
               design::kNight.with_alpha(0.97F));
-    // All languages at once, in columns or in rows.
+    const float title_high = page.is_square() && many ? 74.0F : 50.0F;
+    const float side = tall ? 32.0F : 24.0F;
+    const float column = (width - 2.0F * side) / static_cast<float>(columns);
     for (int i = 0; i < count; ++i) {
-        const float column = (width - 48.0F) / static_cast<float>(count);
-        const Rect rect =
-            tall
-                ? Rect{40.0F, words_y + 16.0F + 170.0F * static_cast<float>(i), width - 80.0F, 160.0F}
-                : Rect{24.0F + column * static_cast<float>(i) + 8.0F, words_y + 4.0F, column - 16.0F, 150.0F};
-        const float title =
-            page.words({rect.x, rect.y, rect.width, 50.0F}, {.text = page.language(i).shown("fault.title"),
-                                                             .type = design::serif(33.0F, 46.0F, 26.0F),
-                                                             .align = ui::Align::kCentre,
-                                                             .language = i});
+        const Rect rect{side + column * static_cast<float>(i % columns) + 8.0F,
+                        words_y + (tall ? 16.0F : 4.0F) + row_high * static_cast<float>(i / columns),
+                        column - 16.0F, row_high};
+        const float title = page.words({rect.x, rect.y, rect.width, title_high},
+                                       {.text = page.language(i).shown("fault.title"),
+                                        .type = design::serif(33.0F, 46.0F, 26.0F),
+                                        .align = ui::Align::kCentre,
+                                        .language = i});
         page.words({rect.x, rect.y + title + 2.0F, rect.width, 76.0F},
                    {.text = page.language(i).shown("fault.line"),
                     .type = design::kNote,

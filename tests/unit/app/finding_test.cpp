@@ -71,11 +71,19 @@ TEST(SystemProbes, OpenTheRoomThatTheSettingsName) {
 }
 
 TEST(SystemProbes, NameTheFontsThatAreMissing) {
-    const Finding nothing = probe_fonts({"/no/such/folder"});
+    const Finding nothing = probe_fonts({"/no/such/folder"}, kiosk::Config().languages.order);
     EXPECT_EQ(nothing.verdict, Verdict::kLacking);
     EXPECT_NE(nothing.found.find("NanumSquareRound"), std::string::npos);
     EXPECT_FALSE(nothing.cost.empty());
-    EXPECT_NE(nothing.remedy.find("fonts-noto-core"), std::string::npos);
+    EXPECT_EQ(nothing.remedy, "apt-get install fonts-nanum fonts-noto-core");
+
+    const std::vector<std::string> german{"de"};
+    EXPECT_EQ(probe_fonts({"/no/such/folder"}, german).remedy, nothing.remedy);
+    const std::vector<std::string> japanese{"en", "ja"};
+    const Finding more = probe_fonts({"/no/such/folder"}, japanese);
+    EXPECT_NE(more.found.find("Noto Serif CJK JP"), std::string::npos) << more.found;
+    EXPECT_EQ(more.found.find("Noto Serif CJK SC"), std::string::npos) << more.found;
+    EXPECT_EQ(more.remedy, "apt-get install fonts-nanum fonts-noto-cjk fonts-noto-core");
 }
 
 TEST(SystemProbes, ReportTheKiosksSettingsOrTheirAbsence) {

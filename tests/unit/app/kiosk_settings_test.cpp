@@ -53,8 +53,8 @@ TEST_F(KioskSettingsTest, ReplaceMissingTextsByEnglishAndReportTheirNumber) {
 
 TEST_F(KioskSettingsTest, IgnoreOnlyAnInvalidTableOfWords) {
     put(folder / "words/ko.tsv", "key\ttext\tspoken\tcheck\nother\t말\n");
-    put(folder / "words/fr.tsv", "no table\n");
-    put(folder / "kiosk.toml", "[languages]\norder = [\"fr\", \"ko\"]\nfirst = \"ko\"\nfolder = \"" +
+    put(folder / "words/pt.tsv", "no table\n");
+    put(folder / "kiosk.toml", "[languages]\norder = [\"pt\", \"ko\"]\nfirst = \"ko\"\nfolder = \"" +
                                    (folder / "words").string() + "\"\n[staff]\nlocked = true\n");
     const auto settings = load_settings((folder / "kiosk.toml").string());
     ASSERT_TRUE(settings) << settings.error().message;
@@ -64,7 +64,7 @@ TEST_F(KioskSettingsTest, IgnoreOnlyAnInvalidTableOfWords) {
     EXPECT_EQ(settings->rules.default_language, 0);
     ASSERT_GE(settings->remarks.size(), 2U);
     EXPECT_NE(settings->remarks[0].find(
-                  "fr.tsv:1: expected the header key,text,spoken,check, found 'no table'; the kiosk"),
+                  "pt.tsv:1: expected the header key,text,spoken,check, found 'no table'; the kiosk"),
               std::string::npos)
         << settings->remarks[0];
     EXPECT_NE(settings->remarks[1].find(
@@ -72,7 +72,7 @@ TEST_F(KioskSettingsTest, IgnoreOnlyAnInvalidTableOfWords) {
               std::string::npos)
         << settings->remarks[1];
     put(folder / "kiosk.toml",
-        "[languages]\norder = [\"fr\"]\nfirst = \"fr\"\nfolder = \"" + (folder / "words").string() + "\"\n");
+        "[languages]\norder = [\"pt\"]\nfirst = \"pt\"\nfolder = \"" + (folder / "words").string() + "\"\n");
     EXPECT_EQ(load_settings((folder / "kiosk.toml").string())->languages->front().code(), "en");
 }
 
@@ -116,7 +116,7 @@ TEST_F(KioskSettingsTest, KeepTheStaffsSettingsOnlyIfConfigured) {
     EXPECT_EQ(settings.config.sound.volume, 1);
     EXPECT_EQ(settings.rules.default_volume, 1);
     EXPECT_EQ((*settings.languages)[static_cast<std::size_t>(settings.rules.default_language)].code(), "ar");
-    ASSERT_TRUE(keep_house(statistics_folder(settings.config), {2, "de"}));
+    ASSERT_TRUE(keep_house(statistics_folder(settings.config), {2, "pt"}));
     take_kept_house(settings);
     EXPECT_EQ(settings.rules.default_volume, 2);
     EXPECT_EQ((*settings.languages)[static_cast<std::size_t>(settings.rules.default_language)].code(), "ar")

@@ -12,6 +12,7 @@
 #include "game/finish/glaze.h"
 #include "game/screens/pots/pot_picture.h"
 #include "tests/support/studio_samples.h"
+#include "tests/support/temporary_folder.h"
 
 namespace onggi::app {
 namespace {
@@ -85,6 +86,24 @@ TEST(KioskShare, TellsThePotsStoryInEachLanguageTheHousesFirst) {
     fired.is_after_relative = true;
     EXPECT_EQ(pot_story(fired, 1, *settings).about.title[0].text,
               (*settings->languages)[1].shown(fired.relative->name_key) + ", white porcelain");
+}
+
+TEST(KioskShare, JoinsThePotsStoryByTheSignsOfItsLanguage) {
+    const test::TemporaryFolder folder;
+    test::put_file(folder / "kiosk.toml", "[languages]\norder = [\"fr\", \"ja\", \"de\"]\nfirst = \"fr\"\n");
+    const auto settings = load_settings(folder / "kiosk.toml");
+    ASSERT_TRUE(settings) << settings.error().message;
+    const exporter::PotStory story = pot_story(jar(*settings), 0, *settings);
+    EXPECT_EQ(story.about.title[0], (asset::Wording{"fr", "Pot de terre, céladon"}));
+    EXPECT_EQ(story.about.title[1], (asset::Wording{"ja", "うつわ、青磁"}));
+    EXPECT_EQ(story.about.title[2], (asset::Wording{"de", "Gefäß, Seladon"}));
+    const auto says = [&](std::size_t place, std::string_view words) {
+        const std::string& text = story.about.description[place].text;
+        EXPECT_NE(text.find(words), std::string::npos) << text;
+    };
+    says(0, "Le plus proche\u00a0: ");
+    says(1, "高さ160\u00a0mm。似たうつわ：");
+    says(2, "160\u00a0mm hoch. Am ähnlichsten: ");
 }
 
 TEST(KioskShare, DrawsAPosterThatStandsWhereThePageDrawsThePot) {

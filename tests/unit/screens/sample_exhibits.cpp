@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "game/finish/glaze.h"
@@ -12,28 +14,30 @@
 namespace onggi::screens {
 namespace {
 
-// The card with the most to say, in whichever language it says it.
+constexpr std::array kCodes{"ko",      "en", "ar", "ja",
+                            "zh-Hans", "de", "fr", "es"};  // as the samples order them
+
+std::size_t bytes_of(std::span<const std::string> lines) {
+    std::size_t bytes = 0;
+    for (const std::string& line : lines)
+        bytes += line.size();
+    return bytes;
+}
+
+// In each language the most that any card has to say, and the longest source.
 std::shared_ptr<const ExhibitCard> longest_card() {
     const std::string folder = test::in_checkout("assets/heritage");
     const auto targets = heritage::load_targets(folder).value();
     const auto cards = heritage::load_cards(folder, targets).value();
-    const heritage::Card* longest = nullptr;
-    std::size_t most = 0;
-    for (const auto& [id, card] : cards) {
-        for (const char* language : {"ko", "en", "ar"}) {
-            std::size_t all = card.source.size();
-            for (const std::string& line : card.in(language))
-                all += line.size();
-            if (all <= most) continue;
-            most = all;
-            longest = &card;
-        }
-    }
     auto shown = std::make_shared<ExhibitCard>();
-    for (const char* language : {"ko", "en", "ar"})  // as the samples order them
-        shown->lines.push_back(longest->in(language));
+    for (const char* language : kCodes) {
+        auto& longest = shown->lines.emplace_back();
+        for (const auto& [id, card] : cards)
+            if (bytes_of(card.in(language)) > bytes_of(longest)) longest = card.in(language);
+    }
+    for (const auto& [id, card] : cards)
+        if (card.source.size() > shown->source.size()) shown->source = card.source;
     shown->known_by = {0, 1, 2};
-    shown->source = longest->source;
     shown->published_points = 4;
     shown->drawn_points = 9;
     return shown;

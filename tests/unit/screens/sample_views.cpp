@@ -1,6 +1,9 @@
 #include "tests/unit/screens/sample_views.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <string_view>
 
 #include "game/screens/page/design.h"
 #include "game/screens/page/layout.h"
@@ -26,18 +29,25 @@ pot::Section jar() {
                          5.0F, 8.0F);
 }
 
-std::shared_ptr<const std::vector<kiosk::Language>> languages() {
-    static const auto all = [] {
-        const auto& built_in = kiosk::built_in_languages();
-        // Korean, English, Arabic: the order of the designs.
-        return std::make_shared<const std::vector<kiosk::Language>>(
-            std::vector<kiosk::Language>{built_in[1], built_in[0], built_in[2]});
-    }();
-    return all;
+using Languages = std::vector<kiosk::Language>;
+
+std::shared_ptr<const Languages> offered(std::initializer_list<std::string_view> codes) {
+    Languages languages;
+    for (const std::string_view code : codes) {
+        for (const kiosk::Language& one : kiosk::built_in_languages())
+            if (one.code() == code) languages.push_back(one);
+    }
+    return std::make_shared<const Languages>(std::move(languages));
 }
 
-int place_of(const std::string& code) {
-    return code == "ko" ? 0 : code == "en" ? 1 : 2;
+// Korean, English and Arabic are offered together, as the designs show them; with any other language, all
+// are.
+std::shared_ptr<const Languages> languages_with(std::string_view code) {
+    static const auto three = offered({"ko", "en", "ar"});
+    static const auto all = offered({"ko", "en", "ar", "ja", "zh-Hans", "de", "fr", "es"});
+    const bool is_of_three = std::any_of(three->begin(), three->end(),
+                                         [&](const kiosk::Language& one) { return one.code() == code; });
+    return is_of_three ? three : all;
 }
 
 std::shared_ptr<const FiredPot> with_cranes(FiredPot pot) {
@@ -415,9 +425,12 @@ View base_view(const SampleRequest& request) {
     base.width_px = request.width_px;
     base.height_px = request.height_px;
     base.px_per_mm = double{px_per_u_of(request.width_px, request.height_px) / design::kMmPerU};
-    base.languages = languages();
+    base.languages = languages_with(request.language);
     base.exhibits = sample_exhibits();
-    base.state.comfort.language = place_of(request.language);
+    while (base.languages->at(static_cast<std::size_t>(base.state.comfort.language)).code() !=
+           request.language)
+        ++base.state.comfort.language;
+    base.attract_turn = base.state.comfort.language;
     base.state.comfort.text_size = request.text_size;
     base.state.comfort.reach = request.reach;
     base.state.comfort.left_hand = request.left_hand;

@@ -373,10 +373,6 @@ TEST(TurnTable, ShowsFourStillViewsWithReducedMotion) {
         EXPECT_NEAR(times, 40, 1) << view;
 }
 
-TEST(Composer, HasItsFonts) {
-    EXPECT_EQ(missing_fonts(), "");
-}
-
 TEST_F(Theatre, DrawsTheWireUnderThePotInASecond) {
     stage_.take(composed("firing-0"), 0.0);
     const std::uint64_t behind = draw(0.05).hash();

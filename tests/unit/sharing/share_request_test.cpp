@@ -182,5 +182,15 @@ TEST(ShareRequest, AnswersInTheLanguageThatIsLikedBest) {
     EXPECT_EQ(liked(";;;,,,q=;q=1;"), std::nullopt);
 }
 
+TEST(ShareRequest, TakesTheScriptOfALanguageForTheWholeOfIt) {
+    const std::array<std::string_view, 3> codes{"en", "zh-Hans", "zh-Hant"};
+    const auto liked = [&](std::string_view accept) { return liked_language(accept, codes); };
+    EXPECT_EQ(liked("zh-CN,zh;q=0.9,en;q=0.8"), 1U);
+    EXPECT_EQ(liked("zh"), 1U);
+    EXPECT_EQ(liked("zh-Hant-TW, en;q=0.9"), 2U);
+    EXPECT_EQ(liked("en, zh-CN"), 0U);
+    EXPECT_EQ(liked("zh;q=0"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace onggi::sharing

@@ -32,10 +32,6 @@ std::vector<sharing::OutlinePoint> outline_of(const std::vector<vec2>& points) {
     return outline;
 }
 
-std::string in_own_digits(const kiosk::Language& language, std::string number, bool own_digits) {
-    return own_digits && language.is_arabic() ? kiosk::in_arabic_digits(number) : number;
-}
-
 // The page counts directions from the right, the eye is a quarter turn before that.
 std::vector<sharing::OffRoundRow> off_round_of(const pot::Section& shape) {
     std::vector<sharing::OffRoundRow> rows;
@@ -65,7 +61,7 @@ sharing::PotWords words_of(const kiosk::Language& language, const finish::GlazeM
     words.nearest_name = language.shown(relative->name_key);
     for (const std::string& part :
          {language.shown(relative->date_key), language.shown(relative->museum_key),
-          in_own_digits(language, height, own_digits) + "\u00a0" + language.shown("unit.mm")}) {
+          language.number(height, own_digits) + "\u00a0" + language.shown("unit.mm")}) {
         if (!part.empty()) words.nearest_line += (words.nearest_line.empty() ? "" : "\n") + part;
     }
     return words;
@@ -81,9 +77,11 @@ asset::Wordings wordings_of(const kiosk::HouseText& text, const std::string& fir
     return wordings;
 }
 
-// Within a title English writes common nouns small.
+// Within a title English, French and Spanish write common nouns small.
 std::string within_title(const kiosk::Language& language, std::string name) {
-    if (language.code() == "en" && !name.empty() && name.front() >= 'A' && name.front() <= 'Z')
+    constexpr std::array<std::string_view, 3> kSmall{"en", "fr", "es"};
+    if (std::find(kSmall.begin(), kSmall.end(), language.primary_code()) != kSmall.end() && !name.empty() &&
+        name.front() >= 'A' && name.front() <= 'Z')
         name.front() = static_cast<char>(name.front() - 'A' + 'a');
     return name;
 }
@@ -92,17 +90,20 @@ void add_wordings(asset::About& about, const screens::FiredPot& pot, const finis
                   const kiosk::Language& language, bool own_digits) {
     const bool is_after = pot.relative && pot.is_after_relative;
     const std::string& name = is_after ? language.shown(pot.relative->name_key) : language.shown("file.pot");
-    const std::string comma = language.is_arabic() ? "، " : ", ";
+    const kiosk::Punctuation& signs = language.punctuation();
     about.title.push_back(
-        {language.code(), name + comma + within_title(language, language.spoken(glaze.name_key))});
-    std::string made = language.shown(
-        "file.made", in_own_digits(language, fmt::format("{:.0f}", pot.height_mm), own_digits));
+        {language.code(),
+         fmt::format("{}{}{}", name, signs.comma, within_title(language, language.spoken(glaze.name_key)))});
+    std::string made =
+        language.shown("file.made", language.number(fmt::format("{:.0f}", pot.height_mm), own_digits));
     if (pot.relative) {
         const sharing::PotWords words = words_of(language, glaze, pot.relative.get(), own_digits);
         std::string line = words.nearest_name + '\n' + words.nearest_line;
         for (std::size_t end = line.find('\n'); end != std::string::npos; end = line.find('\n', end))
-            line.replace(end, 1, comma);
-        made += fmt::format(" {}: {}.", language.shown(is_after ? "your.after" : "your.near"), line);
+            line.replace(end, 1, signs.comma);
+        made +=
+            fmt::format("{}{}{}{}{}", signs.stop == "." ? " " : "",
+                        language.shown(is_after ? "your.after" : "your.near"), signs.colon, line, signs.stop);
     }
     about.description.push_back({language.code(), std::move(made)});
 }
