@@ -71,7 +71,7 @@ TEST(Settings, OfEveryVersionKeepTheirMeaning) {
     }
     EXPECT_EQ(count, 11);
     EXPECT_EQ(test::content_of(test::in_checkout("assets/kiosk.toml")),
-              test::content_of(sample("settings/1.10.toml")))
+              test::content_of(sample("settings/1.11.toml")))
         << "settings that change want a version and a sample";
 }
 

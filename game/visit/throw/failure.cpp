@@ -49,9 +49,9 @@ void draw_failure(Page& page) {
         const float left = 0.5F * (width - 3.0F * button - 2.0F * gap);
         return page.mirrored({left + static_cast<float>(i) * (button + gap), y + 36.0F, button, 80.0F});
     };
-    page.token(place(0), Look::kOutline, Button::kKeepSlump, page.t("fail.keep"));
-    page.token(place(1), Look::kToken, Button::kNewClay, page.t("ctl.again"), 0, Icon::kAgain);
-    page.token(place(2), Look::kPrimary, Button::kBeforeCollapse, page.t("fail.undo"), 0, Icon::kUndo);
+    page.token(place(0), Look::kOutline, Button::kKeepSlump, page.named("fail.keep"));
+    page.token(place(1), Look::kToken, Button::kNewClay, page.named("ctl.again"), 0, Icon::kAgain);
+    page.token(place(2), Look::kPrimary, Button::kBeforeCollapse, page.named("fail.undo"), 0, Icon::kUndo);
 }
 
 void press_failure(Turn& turn, const event::Pressed& event) {
