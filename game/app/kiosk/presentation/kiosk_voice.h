@@ -107,7 +107,7 @@ class KioskVoice final : private jobs::IoWork {
 };
 
 constexpr const char* kNoSpeechProgram =
-    "speech: expected espeak-ng, as [sound] speech asks, found none; apt-get install espeak-ng";
+    "expected espeak-ng for the speech that [sound] asks for, found none";
 
 // The voice that the settings ask for; `lack` receives a line if it lacks what they need.
 [[nodiscard]] std::unique_ptr<KioskVoice> make_voice(const kiosk::Config& config, std::string& lack);

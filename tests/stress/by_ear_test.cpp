@@ -1,0 +1,211 @@
+// Visitors who see nothing: they decide by the words that reach the synthesiser alone, and press keys, from
+// the attract screen to a kept pot, which must be a good one. One uses the buttons, one the arrow keys, one a
+// single switch.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "tests/stress/unseen_kiosk.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/visitors/judge.h"
+
+namespace onggi::app {
+namespace {
+
+using window::Key;
+
+// Hears what a synthesiser would speak, for as long as that takes.
+class Ear {
+  public:
+    [[nodiscard]] KioskVoice::Synthesise synthesiser() {
+        return [this](const std::string& /*language*/, const std::string& text,
+                      const std::function<bool()>& /*is_wanted*/) -> Result<sound::SpokenLine> {
+            const std::lock_guard lock(mutex_);
+            heard_.push_back(text);
+            constexpr double kSPerLetter = 0.06;  // about 160 words a minute
+            const double length_s = kSPerLetter * static_cast<double>(text.size());
+            return sound::SpokenLine{
+                std::vector<float>(static_cast<std::size_t>(length_s * sound::kSampleRateHz))};
+        };
+    }
+    // What was said since the last call.
+    [[nodiscard]] std::vector<std::string> listen() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(heard_, {});
+    }
+
+  private:
+    std::mutex mutex_;
+    std::vector<std::string> heard_;
+};
+
+bool has(const std::string& text, std::string_view words) {
+    return text.find(words) != std::string::npos;
+}
+
+class ByEar : public testing::Test {
+  protected:
+    // Waits for up to that many seconds of the visit until a line with these words is said.
+    bool hears(std::string_view words, double within_s) {
+        const auto is_said = [&] {
+            for (std::string& line : ear.listen())
+                all.push_back(std::move(line));
+            return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(taken), all.end(),
+                               [&](const std::string& line) { return has(line, words); });
+        };
+        const double until_s = kiosk.now_s() + within_s;
+        while (!is_said() && kiosk.now_s() < until_s)
+            lives();
+        if (!is_said()) return false;
+        // What was said before does not count again.
+        const auto at = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(taken), all.end(),
+                                     [&](const std::string& line) { return has(line, words); });
+        taken = static_cast<std::size_t>(at - all.begin()) + 1;
+        return true;
+    }
+    // Time passes: as the wheel's while it works, because its clay has a clock of its own.
+    void lives() {
+        if (kiosk.snapshot().tool.pressing || kiosk.state().throwing.shown) {
+            kiosk.passes(0.05);
+        } else {
+            static_cast<void>(kiosk.until([n = 0]() mutable { return n++ > 0; }));
+        }
+    }
+    void presses(Key key) {
+        taken = all.size();
+        kiosk.press_key(key);
+    }
+    // The last line that was said with these words.
+    [[nodiscard]] std::string last(std::string_view words) const {
+        const auto found =
+            std::find_if(all.rbegin(), all.rend(), [&](const auto& line) { return has(line, words); });
+        return found == all.rend() ? std::string() : *found;
+    }
+    // What to do to come to a button, and to press it.
+    virtual bool chooses(std::string_view words) = 0;
+
+    // From the attract screen to the clay, and from the finished pot to the shelf.
+    void comes() {
+        ASSERT_TRUE(hears("Touch anywhere, press any key", 10.0));
+        presses(Key::kTab);
+        ASSERT_TRUE(hears("What will you make?", 10.0));
+        ASSERT_TRUE(hears("W says where you are", 30.0)) << "how to go on";
+        ASSERT_TRUE(chooses("As you like"));
+        ASSERT_TRUE(hears("Step one of three", 10.0));
+    }
+    // "Done", and once more pulls where the kiosk asks for them.
+    void ends(const std::function<void()>& pulls) {
+        constexpr int kMostPulls = 6;
+        for (int i = 0; i < kMostPulls; ++i) {
+            ASSERT_TRUE(chooses("Done. Cut the pot off the wheel"));
+            if (!hears("still thick", 4.0)) break;
+            ASSERT_TRUE(chooses("Back to the wheel"));
+            pulls();
+        }
+        if (last("Cutting the pot off").empty()) ASSERT_TRUE(hears("Cutting the pot off", 10.0));
+        if (hears("Turn the foot", 12.0)) ASSERT_TRUE(chooses("Leave the foot as it is"));
+        if (last("Decorate the pot").empty()) ASSERT_TRUE(hears("Decorate the pot", 20.0));
+        ASSERT_TRUE(chooses("Leave it plain"));
+        ASSERT_TRUE(hears("Choose a glaze", 20.0));
+        ASSERT_TRUE(chooses("Use this glaze"));
+        ASSERT_TRUE(hears("Height", 20.0)) << "the pot in numbers";
+        ASSERT_TRUE(chooses("Keep it"));
+        ASSERT_TRUE(hears("saved on the museum shelf", 30.0));
+    }
+    void expect_good_pot() {
+        const auto pots = kept_pots(folder.path());
+        ASSERT_EQ(pots.size(), 1U);
+        const auto verdict = visitors::judge_session((pots.front().folder / "pot.onggi").string());
+        ASSERT_TRUE(verdict) << verdict.error().message;
+        fmt::print("{}\n", visitors::words_for(*verdict));
+        EXPECT_TRUE(verdict->is_good) << verdict->why_not_good;
+    }
+    void TearDown() override {
+        if (!HasFailure() && std::getenv("ONGGI_LOOK") == nullptr) return;
+        for (const std::string& line : all)
+            fmt::print("  \"{}\"\n", line);
+    }
+
+    const test::TemporaryFolder folder;
+    Ear ear;
+    UnseenKiosk kiosk{folder.path(), {.config = english(), .speech = ear.synthesiser()}};
+    std::vector<std::string> all;  // that was said
+    std::size_t taken = 0;         // of them were acted on
+
+  private:
+    static kiosk::Config english() {
+        kiosk::Config config;
+        config.visit.shows_by_itself = false;  // what is shown is asked for
+        return config;
+    }
+};
+
+class ByKeysAndEar : public ByEar {
+  protected:
+    bool chooses(std::string_view words) override {
+        constexpr int kMostButtons = 30;
+        for (int i = 0; i < kMostButtons; ++i) {
+            presses(Key::kTab);
+            if (!hears(words, 1.0)) continue;
+            presses(Key::kEnter);
+            return true;
+        }
+        return false;
+    }
+};
+
+TEST_F(ByKeysAndEar, AVisitorWhoIsShownEachStepKeepsAGoodPot) {
+    comes();
+    ASSERT_TRUE(chooses("Show me"));
+    ASSERT_TRUE(hears("Step two of three", 20.0));
+    ASSERT_TRUE(chooses("Show me"));
+    ASSERT_TRUE(hears("Step three of three", 20.0));
+    const auto pulls = [&] {
+        ASSERT_TRUE(chooses("Show me"));
+        static_cast<void>(hears("centimetres high", 12.0));
+    };
+    for (int i = 0; i < 3; ++i)
+        pulls();
+    presses(Key::kW);
+    ASSERT_TRUE(hears("Open", 20.0)) << "asked, the kiosk says how the clay stands";
+    ends(pulls);
+    expect_good_pot();
+}
+
+class BySwitchAndEar : public ByEar {
+  protected:
+    // The first press starts the scan; then the ring goes on by itself, and a press takes what was just named.
+    bool chooses(std::string_view words) override {
+        if (!std::exchange(scans_, true)) presses(Key::kSpace);
+        constexpr double kARoundS = 150.0;
+        if (!hears(words, kARoundS)) return false;
+        presses(Key::kSpace);
+        return true;
+    }
+    bool scans_ = false;
+};
+
+TEST_F(BySwitchAndEar, AVisitorKeepsAGoodPot) {
+    comes();
+    ASSERT_TRUE(chooses("Show me"));
+    ASSERT_TRUE(hears("Step two of three", 20.0));
+    ASSERT_TRUE(chooses("Show me"));
+    ASSERT_TRUE(hears("Step three of three", 20.0));
+    const auto pulls = [&] {
+        ASSERT_TRUE(chooses("Show me"));
+        static_cast<void>(hears("centimetres high", 12.0));
+    };
+    for (int i = 0; i < 3; ++i)
+        pulls();
+    ends(pulls);
+    expect_good_pot();
+}
+
+}  // namespace
+}  // namespace onggi::app
