@@ -180,7 +180,8 @@ TEST_F(ByKeysAndEar, AVisitorWhoIsShownEachStepKeepsAGoodPot) {
 
 class BySwitchAndEar : public ByEar {
   protected:
-    // The first press starts the scan; then the ring goes on by itself, and a press takes what was just named.
+    // The first press starts the scan; then the ring goes on by itself, and a press takes what was just
+    // named.
     bool chooses(std::string_view words) override {
         if (!std::exchange(scans_, true)) presses(Key::kSpace);
         constexpr double kARoundS = 150.0;

@@ -62,6 +62,29 @@ TEST(ChildProcess, EndsWithItsObject) {
     EXPECT_LT(std::chrono::steady_clock::now() - before, kSleeps) << "it was not waited for";
 }
 
+TEST(ChildProcess, AnswersWithAllThatItWrites) {
+    auto process = ChildProcess::start({"sh", "-c", "read line; echo \"$line\"; head -c 300000 /dev/zero"},
+                                       ChildProcess::Kind::kAnswers);
+    ASSERT_TRUE(process) << process.error().message;
+    process->tell("celadon");
+    std::string answer;
+    while (process->read(answer, 10)) {
+    }
+    EXPECT_EQ(answer.size(), 300008U);
+    EXPECT_EQ(answer.substr(0, 8), "celadon\n");
+    ASSERT_TRUE(test::comes_true([&] { return !process->is_at_work(); }));
+    EXPECT_TRUE(process->has_succeeded());
+}
+
+TEST(ChildProcess, DoesNotHoldWhoeverTellsItMoreThanItReads) {
+    auto process = ChildProcess::start({"/bin/sleep", "10h"}, ChildProcess::Kind::kAnswers);
+    ASSERT_TRUE(process);
+    process->tell(std::string(std::size_t{4} << 20U, 'x'));
+    std::string answer;
+    EXPECT_TRUE(process->read(answer, 1)) << "nothing yet";
+    EXPECT_TRUE(answer.empty());
+}
+
 TEST(ChildProcess, NamesTheProgramThatIsNotThere) {
     const auto process = ChildProcess::start({"/nowhere/onggi"});
     ASSERT_FALSE(process);
