@@ -32,10 +32,11 @@ std::string one_paragraph(std::string text) {
     return text;
 }
 
-// espeak-ng has no voice by the codes of written Chinese.
+// espeak-ng 1.51 reads Chinese by its voice "cmn", and by "zh", as English spellings with numbers for the
+// tones ("chew five, more five"); with this one it speaks Mandarin.
 std::string voice_of(const std::string& language) {
     const std::string primary = language.substr(0, language.find('-'));
-    return primary == "zh" ? "cmn" : primary;
+    return primary == "zh" ? "cmn-latn-pinyin" : primary;
 }
 
 }  // namespace

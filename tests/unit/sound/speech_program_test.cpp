@@ -60,7 +60,7 @@ TEST_F(FakeProgram, HearsTheTextAsOneParagraphAndTheLanguagesFirstPart) {
     std::string text;
     std::getline(file, words);
     std::getline(file, text);
-    EXPECT_NE(words.find("-v cmn -s 90 -a 100"), std::string::npos) << words;
+    EXPECT_NE(words.find("-v cmn-latn-pinyin -s 90 -a 100"), std::string::npos) << words;
     EXPECT_EQ(text, "at once");
 }
 
