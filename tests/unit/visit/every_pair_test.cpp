@@ -109,6 +109,9 @@ std::vector<Happening> events() {
         at_once("device back", event::Device{.is_there = true}, ""),
         at_once("force rests", event::Force{.rests = true}, ""),
         at_once("force back", event::Force{.rests = false}, ""),
+        at_once("headphones in", event::Headphones{.are_in = true}, ""),
+        at_once("headphones out", event::Headphones{.are_in = false}, ""),
+        at_once("spoken", event::Spoken{.speaks = true}, ""),
         at_once(
             "fault", event::Fault{},
             "any -> fault, attract+language -> fault, attract-left+language -> fault, "

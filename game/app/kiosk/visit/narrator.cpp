@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "game/app/kiosk/presentation/kiosk_pot.h"
@@ -100,7 +101,8 @@ void Narrator::tell_more(const screens::View& view) {
     if (state.panel == Panel::kCard) {
         const auto place = static_cast<std::size_t>(std::max(0, state.card));
         const bool is_on_shelf = state.card >= 0 && place < view.exhibits->size();
-        const auto& card = is_on_shelf ? (*view.exhibits)[place].card : nullptr;
+        const std::shared_ptr<const screens::ExhibitCard> card =
+            is_on_shelf ? (*view.exhibits)[place].card : nullptr;
         const auto language = static_cast<std::size_t>(language_ - view.languages->data());
         if (card && language < card->lines.size())
             for (const std::string& line : card->lines[language])
