@@ -22,6 +22,7 @@
 #include "engine/sound/speech_program.h"
 #include "engine/window/window.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/kiosk/presentation/kiosk_voice.h"
 #include "game/app/sharing/listen_place.h"
 #include "game/wheel/wheel_scene.h"
 #include "game/wheel/workshop_files.h"

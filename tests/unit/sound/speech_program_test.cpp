@@ -132,6 +132,10 @@ TEST_P(EspeakNg, SpeaksAudiblyForAsLongAsAPersonWould) {
     EXPECT_GT(loudest, 0.1F);
 }
 
+std::string name_of(const testing::TestParamInfo<Spoken>& info) {
+    return std::string(info.param.language).substr(0, 2);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Languages, EspeakNg,
     testing::Values(Spoken{"en", "Step one of three. Press in gently, low down on the clay."},
@@ -142,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Spoken{"de", "Schritt eins von drei. Drücken Sie sanft nach innen, unten am Ton."},
                     Spoken{"fr", "Étape une sur trois. Appuyez doucement, en bas de l'argile."},
                     Spoken{"es", "Paso uno de tres. Presione suavemente, abajo en el barro."}),
-    [](const auto& info) { return std::string(info.param.language).substr(0, 2); });
+    name_of);
 
 TEST(EspeakNgAlone, IsRefusedForALanguageItDoesNotKnow) {
     if (!has_speech_program()) GTEST_SKIP() << "espeak-ng is not installed";
