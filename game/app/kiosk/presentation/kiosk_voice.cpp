@@ -36,7 +36,9 @@ std::shared_ptr<const sound::SpokenLine> recording_of(const std::filesystem::pat
 std::unique_ptr<KioskVoice> make_voice(const kiosk::Config& config, std::string& lack) {
     const auto& sound = config.sound;
     std::filesystem::path folder = sound.spoken_folder;
-    if (folder.empty()) folder = files::find_asset("spoken").value_or(std::filesystem::path());
+    if (folder.empty()) {
+        if (const auto found = files::find_asset("spoken")) folder = *found;
+    }
     KioskVoice::Synthesise synthesise;
     if (sound.speech != "off" && sound::has_speech_program()) {
         synthesise = [rate = sound.speech_rate, volume = sound.speech_volume](
