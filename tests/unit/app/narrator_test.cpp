@@ -42,7 +42,7 @@ class NarratorTest : public testing::Test {
     void open_to(double wall_mm) {
         pot.floor_mm = 10.0;
         pot.inner_mm.assign(60, static_cast<float>(60.0 - wall_mm));
-        std::fill_n(pot.inner_mm.begin(), 10, 0.0F);
+        std::fill_n(pot.inner_mm.begin(), 4, 0.0F);  // below the floor
     }
 
     screens::View view;
