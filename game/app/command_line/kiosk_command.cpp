@@ -159,6 +159,13 @@ haptic::HapticJobOptions kiosk_job_options(const jobs::RealTimeRequest& real_tim
     return options;
 }
 
+haptic::HapticParameters kiosk_parameters(const kiosk::Config& config, bool is_real_time) {
+    haptic::HapticParameters parameters;
+    parameters.set_rate_hz(tick_rate_hz(config.haptics.rate_hz, is_real_time));
+    parameters.studio.forgiving = config.visit.forgiving;
+    return parameters;
+}
+
 // Without a synthesiser, visitors are not offered what they would not hear.
 std::unique_ptr<KioskVoice> begin_voice(KioskSettings& settings) {
     std::string lack;
@@ -196,9 +203,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     const jobs::RealTimeRequest real_time{.core = core};
     const bool is_real_time = jobs::probe_real_time(real_time).fifo.grant == jobs::Grant::kGranted;
     const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
-    haptic::HapticParameters parameters;
-    parameters.set_rate_hz(tick_rate_hz(settings->config.haptics.rate_hz, is_real_time));
-    parameters.studio.forgiving = settings->config.visit.forgiving;
+    haptic::HapticParameters parameters = kiosk_parameters(settings->config, is_real_time);
     auto device = std::make_unique<haptic::SimulatedDevice>();
     haptic::SimulatedDevice& pointer = *device;
     pointer.set_target(resting_finger());
@@ -248,7 +253,6 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                                  .picture = start_report.is_safe_mode ? nullptr : &picture});
         if (visit.restarts()) end = KioskEnd::kStartAnew;
     }
-    voice->stop();
     phone.stop();
     keeper.stop();
     job.stop();

@@ -95,7 +95,7 @@ TEST_F(KioskPointer, LetsTheScanWaitForAVoice) {
 
 TEST_F(KioskPointer, TakesTheQuestionWhereOneIsAsNoOtherKey) {
     finger.types(window::Key::kW);
-    EXPECT_TRUE(finger.said(Kind::kAskedWhere));
+    EXPECT_TRUE(finger.said(Kind::kWhere));
     EXPECT_FALSE(finger.said(Kind::kLife)) << "it ends no demonstration";
 }
 

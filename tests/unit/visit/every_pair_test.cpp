@@ -47,10 +47,11 @@ const std::string kClosesStaff =
     "attract, "
     "attract+staff -> attract, attract-left+pin -> attract-left, attract-left+staff -> attract-left";
 
+Happening at_once(const char* name, const Event& event, const char* rules) {
+    return {name, event, 0.0, rules};
+}
+
 std::vector<Happening> events() {
-    const auto at_once = [](const char* name, const Event& event, const char* rules) {
-        return Happening{name, event, 0.0, rules};
-    };
     const auto tick = [](const char* name, double after_s, const std::string& rules) {
         return Happening{name, event::Tick{}, after_s, rules};
     };

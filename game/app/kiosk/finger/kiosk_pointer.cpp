@@ -206,10 +206,8 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
             if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kForces, 0, {}});
             return;
         case Key::kW:
-            if (!key.repeat) news.push_back({.kind = Kind::kAskedWhere});
-            return;
         case Key::kPause:
-            if (!key.repeat) news.push_back({.kind = Kind::kStopForce});
+            if (!key.repeat) news.push_back({.kind = key.key == Key::kW ? Kind::kWhere : Kind::kStopForce});
             return;
         case Key::kF:
         case Key::kF11:

@@ -29,7 +29,7 @@ struct PointerNews {
         kCloseAsked,
         kFullScreen,
         kStopForce,
-        kAskedWhere,  // what the visitor by ear is at, and the state of the clay
+        kWhere,  // what the visitor by ear is at, and the state of the clay
     };
     Kind kind = Kind::kNone;
     kiosk::Button button = kiosk::Button::kNone;

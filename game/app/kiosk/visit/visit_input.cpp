@@ -205,7 +205,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kStopForce:
             parts_.job.stop_force();
             break;
-        case PointerNews::Kind::kAskedWhere:
+        case PointerNews::Kind::kWhere:
             asks_where_ = true;
             flow_.dispatch(event::Input{});
             break;
