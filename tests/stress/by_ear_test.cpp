@@ -1,6 +1,6 @@
 // Visitors who see nothing: they decide by the words that reach the synthesiser alone, and press keys, from
-// the attract screen to a kept pot, which must be a good one. One uses the buttons, one the arrow keys, one a
-// single switch.
+// the attract screen to a kept pot, which must be a good one. One works the buttons by keys, one by a single
+// switch.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
