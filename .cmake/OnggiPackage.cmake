@@ -29,7 +29,7 @@ set(CPACK_DEBIAN_ONGGI_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_ONGGI_PACKAGE_SHLIBDEPS ON)
 # Loaded by GLFW at run time, but not in its package's dependencies: pointers and touches, several screens.
 set(CPACK_DEBIAN_ONGGI_PACKAGE_DEPENDS "libxcursor1, libxi6, libxinerama1, libxrandr2")
-set(CPACK_DEBIAN_ONGGI_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd, fonts-nanum, fonts-noto-core")
+set(CPACK_DEBIAN_ONGGI_PACKAGE_RECOMMENDS "mesa-vulkan-drivers | vulkan-icd, fonts-nanum, fonts-noto-core, espeak-ng")
 # For Japanese and Chinese, which a kiosk does not offer unless its settings say so: 54 MB.
 set(CPACK_DEBIAN_ONGGI_PACKAGE_SUGGESTS fonts-noto-cjk)
 set(CPACK_DEBIAN_ONGGI_PACKAGE_CONTROL_EXTRA ${package}/onggi/postinst)

@@ -222,6 +222,12 @@ std::map<std::string, Setting> settings_of(Config& config) {
         {"sound.remember_staff", yes_or_no(config.sound.remember_staff)},
         {"sound.captions", yes_or_no(config.sound.captions)},
         {"sound.spoken_folder", words(config.sound.spoken_folder, "a folder", anything)},
+        {"sound.speech", words(config.sound.speech, "headphones, on or off",
+                               [](const std::string& text) {
+                                   return text == "headphones" || text == "on" || text == "off";
+                               })},
+        {"sound.speech_rate", whole(config.sound.speech_rate, 80, 450, "a whole number, 80 to 450")},
+        {"sound.speech_volume", whole(config.sound.speech_volume, 0, 200, "a whole number, 0 to 200")},
         {"hours.opens", time_of_day(config.hours.opens_min)},
         {"hours.closes", time_of_day(config.hours.closes_min)},
         {"sharing.listen",
@@ -400,6 +406,8 @@ Rules rules_of(const Config& config) {
     rules.has_wall = config.gallery.wall;
     rules.has_wifi = !config.sharing.wifi_name.empty();
     rules.default_volume = config.sound.volume;
+    rules.offers_speech = config.sound.speech != "off";
+    rules.speaks = config.sound.speech == "on";
     rules.default_text_size = config.screen.text_always_large ? 2 : 1;
     rules.locked = config.staff.locked;
     rules.staff_locks_s = config.staff.closes_after_s;

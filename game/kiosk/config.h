@@ -52,7 +52,10 @@ struct Config {
         int volume = 3;               // 0 to 5
         bool remember_staff = false;  // staff settings survive a restart
         bool captions = false;
-        std::string spoken_folder;  // holds LANGUAGE/KEY.wav; empty: spoken/ in the program's assets
+        std::string spoken_folder;          // holds LANGUAGE/KEY.wav; empty: spoken/ in the program's assets
+        std::string speech = "headphones";  // synthetic speech: "on", "off", or with headphones plugged in
+        int speech_rate = 160;              // words a minute
+        int speech_volume = 100;            // percent, beside the wheel's sound
     } sound;
     struct {
         int opens_min = 0;  // minutes after midnight; equal: always open

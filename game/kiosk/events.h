@@ -78,6 +78,14 @@ struct Device {
 struct Force {
     bool rests = false;
 };
+// Headphones were plugged in or pulled out.
+struct Headphones {
+    bool are_in = false;
+};
+// A voice has begun or ended to speak.
+struct Spoken {
+    bool speaks = false;
+};
 struct Fault {};  // the wheel cannot work
 struct FaultOver {};
 // An interrupted pot was found.
@@ -90,13 +98,13 @@ struct CloseAsked {};  // the window's close button, Esc, Alt+F4, Ctrl+Q, Ctrl+C
 
 }  // namespace event
 
-using Event =
-    std::variant<event::Tick, event::Input, event::Pressed, event::ClayTouched, event::Held, event::ShowOver,
-                 event::Soaked, event::Progress, event::Warned, event::Collapsed, event::Bowl,
-                 event::SetAside, event::Rims, event::RimsApart, event::Joined, event::JarStays,
-                 event::UndoneAll, event::ThickFoot, event::Trimmed, event::Drawn, event::Saved,
-                 event::SaveFailed, event::Shared, event::Device, event::Force, event::Fault,
-                 event::FaultOver, event::InterruptedSession, event::CornerHeld, event::CloseAsked>;
+using Event = std::variant<event::Tick, event::Input, event::Pressed, event::ClayTouched, event::Held,
+                           event::ShowOver, event::Soaked, event::Progress, event::Warned, event::Collapsed,
+                           event::Bowl, event::SetAside, event::Rims, event::RimsApart, event::Joined,
+                           event::JarStays, event::UndoneAll, event::ThickFoot, event::Trimmed, event::Drawn,
+                           event::Saved, event::SaveFailed, event::Shared, event::Device, event::Force,
+                           event::Headphones, event::Spoken, event::Fault, event::FaultOver,
+                           event::InterruptedSession, event::CornerHeld, event::CloseAsked>;
 
 namespace effect {
 

@@ -89,6 +89,7 @@ enum class Button {
     kReach,
     kLeftHand,
     kStill,
+    kSpeech,
     kForces,
     kComfortDone,
     kResumeGo,

@@ -23,6 +23,7 @@ struct Comfort {
     bool reach = false;
     bool left_hand = false;
     bool still = false;   // less motion
+    bool speech = false;  // screens, buttons and clay are spoken
     bool forces = false;  // show the forces on the hand as arrows, numbers and plots
 
     friend bool operator==(const Comfort&, const Comfort&) = default;
@@ -216,6 +217,8 @@ struct State : ScreenState {
     double screen_s = 0.0;  // start of this screen
     double panel_s = 0.0;
     double input_s = 0.0;       // last input of any device
+    double ticked_s = 0.0;      // last tick
+    double listened_s = 0.0;    // for how long a voice has spoken since the last input
     double works_s = 0.0;       // since when the program works for the visitor, or now if it does not
     double visit_s = 0.0;       // start of this visit
     double staff_used_s = 0.0;  // last use of the staff panel, for its timeout
@@ -223,6 +226,8 @@ struct State : ScreenState {
     int thick_mm = 0;  // of the wall on the wheel, if another pull would do it good; 0: it is thin enough
     PinGuard pin_guard;
     int house_volume = 3;                             // as house_language, for the volume
+    bool headphones = false;                          // are plugged in
+    bool speaks = false;                              // a voice is speaking
     bool interrupted_session = false;                 // an interrupted pot can be resumed
     std::optional<InterruptedJar> interrupted_jar{};  // empty: an ordinary pot
     InterruptedPot interrupted_pot{};

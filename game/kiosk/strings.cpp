@@ -15,11 +15,18 @@ namespace {
 
 constexpr std::string_view kHeader = "key,text,spoken,check";
 
-int placeholders(std::string_view text) {
+int placeholders(std::string_view text, std::string_view placeholder) {
     int count = 0;
-    for (std::size_t at = text.find("{n}"); at != std::string_view::npos; at = text.find("{n}", at + 3))
+    for (std::size_t at = text.find(placeholder); at != std::string_view::npos;
+         at = text.find(placeholder, at + placeholder.size()))
         ++count;
     return count;
+}
+
+void fill_in(std::string& words, std::string_view placeholder, std::string_view value) {
+    for (std::size_t at = words.find(placeholder); at != std::string::npos;
+         at = words.find(placeholder, at + value.size()))
+        words.replace(at, placeholder.size(), value);
 }
 
 const std::string& looked_up(const std::map<std::string, Words, std::less<>>& words,
@@ -50,8 +57,9 @@ Result<Language> Language::read(std::string_view table, std::string code, const 
         if (!cells[3].empty() && cells[3] != "native") return wrong("native or nothing as check", cells[3]);
         if (pattern != nullptr) {
             if (!pattern->has(key)) return wrong("a key that the program knows", key);
-            if (placeholders(cells[1]) != placeholders(pattern->shown(key)))
-                return wrong("{n} as often as in English", cells[1]);
+            for (const std::string_view one : {"{n}", "{m}"})
+                if (placeholders(cells[1], one) != placeholders(pattern->shown(key), one))
+                    return wrong(fmt::format("{} as often as in English", one), cells[1]);
         }
         const Words words{.shown = cells[1],
                           .spoken = cells[2].empty() ? cells[1] : cells[2],
@@ -74,9 +82,12 @@ const std::string& Language::spoken(std::string_view key) const {
 }
 
 std::string Language::shown(std::string_view key, std::string_view n) const {
-    std::string words = shown(key);
-    for (std::size_t at = words.find("{n}"); at != std::string::npos; at = words.find("{n}", at + n.size()))
-        words.replace(at, 3, n);
+    return filled_in(shown(key), n);
+}
+
+std::string filled_in(std::string words, std::string_view n, std::string_view m) {
+    fill_in(words, "{n}", n);
+    fill_in(words, "{m}", m);
     return words;
 }
 

@@ -62,6 +62,9 @@ class Language {
     std::map<std::string, Words, std::less<>> fallback_;
 };
 
+// Replaces every {n} in the words by `n`, and every {m} by `m`.
+[[nodiscard]] std::string filled_in(std::string words, std::string_view n, std::string_view m = {});
+
 // Writes a number with Arabic-Indic digits (from U+0660) and the Arabic decimal separator (U+066B).
 [[nodiscard]] std::string in_arabic_digits(std::string_view number);
 

@@ -69,9 +69,9 @@ TEST(Settings, OfEveryVersionKeepTheirMeaning) {
         EXPECT_EQ(config->staff.closes_after_s, 120.0);
         ++count;
     }
-    EXPECT_EQ(count, 11);
+    EXPECT_EQ(count, 12);
     EXPECT_EQ(test::content_of(test::in_checkout("assets/kiosk.toml")),
-              test::content_of(sample("settings/1.10.toml")))
+              test::content_of(sample("settings/1.11.toml")))
         << "settings that change want a version and a sample";
 }
 

@@ -58,6 +58,11 @@ struct UnseenKiosk::Parts {
         EXPECT_TRUE(job->start());
         EXPECT_TRUE(keeper->start());
         if (options.loudspeaker) sound = std::make_unique<KioskSound>(0.5, true, options.loudspeaker);
+        if (options.speech) {
+            settings.rules.offers_speech = settings.rules.speaks = true;
+            voice = std::make_unique<KioskVoice>(std::filesystem::path(), std::move(options.speech));
+            EXPECT_TRUE(voice->start());
+        }
         if (!options.minute_of_day) options.minute_of_day = app::minute_of_day;
         visit = std::make_unique<KioskVisit>(VisitParts{.view = *view,
                                                         .job = *job,
@@ -65,6 +70,7 @@ struct UnseenKiosk::Parts {
                                                         .devices = *devices,
                                                         .keeper = *keeper,
                                                         .sound = *sound,
+                                                        .voice = voice.get(),
                                                         .settings = settings,
                                                         .show = show,
                                                         .rate_hz = kRateHz,
@@ -90,6 +96,7 @@ struct UnseenKiosk::Parts {
     std::unique_ptr<haptic::HapticJob> job;
     std::unique_ptr<KioskKeeper> keeper;
     std::unique_ptr<KioskSound> sound = std::make_unique<KioskSound>(0.0);
+    std::unique_ptr<KioskVoice> voice;  // null: nothing is spoken
     Show show;
     std::unique_ptr<KioskVisit> visit;
     double now_s = 1000.0;

@@ -17,6 +17,7 @@
 #include "engine/window/gamepad.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
+#include "game/app/kiosk/presentation/kiosk_voice.h"
 #include "game/clay/studio/studio_clay.h"
 #include "game/haptic/messages.h"
 #include "game/kiosk/config.h"
@@ -45,6 +46,7 @@ struct UnseenOptions {
     kiosk::Config config = {};                // except its gallery
     std::function<int()> minute_of_day = {};  // none: the machine's
     KioskSound::MakePlace loudspeaker = {};   // none: no sound
+    KioskVoice::Synthesise speech = {};       // none: nothing is spoken
 };
 
 // ONGGI_LOOK=FOLDER: saves pictures of a visit's steps, large enough to inspect; see UnseenKiosk::look().

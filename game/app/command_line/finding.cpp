@@ -18,8 +18,10 @@
 #include "engine/haptics/hid/hid_kind.h"
 #include "engine/haptics/stop_key.h"
 #include "engine/sound/openal_player.h"
+#include "engine/sound/speech_program.h"
 #include "engine/window/window.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/kiosk/presentation/kiosk_voice.h"
 #include "game/app/sharing/listen_place.h"
 #include "game/screens/page/fonts.h"
 #include "game/wheel/wheel_scene.h"
@@ -128,6 +130,22 @@ std::vector<Finding> probe_sharing(const kiosk::Config& config) {
          .cost = "phones find no pot",
          .remedy = "systemctl enable --now onggi-share (or run onggi share), and look at sharing.listen"});
     return findings;
+}
+
+Finding probe_speech(const kiosk::Config& config) {
+    const std::string& speech = config.sound.speech;
+    Finding finding{.subject = "speech", .found = "off"};
+    if (speech == "off") return finding;
+    if (sound::has_speech_program()) {
+        finding.found = speech == "on" ? "by espeak-ng, in every visit" : "by espeak-ng, with headphones";
+        return finding;
+    }
+    const bool is_asked = speech == "on";
+    finding.verdict = is_asked ? Verdict::kLacking : Verdict::kNote;
+    finding.found = is_asked ? kNoSpeechProgram : "none with headphones: espeak-ng is not installed";
+    finding.cost = "visitors who cannot see the screen hear nothing of it";
+    finding.remedy = "apt-get install espeak-ng";
+    return finding;
 }
 
 // Opens the room of the settings as the kiosk does.
@@ -278,6 +296,7 @@ std::vector<Finding> probe_settings(const std::string& file, const std::string& 
     for (const std::string& remark : settings->remarks)
         findings.push_back({.subject = "settings", .verdict = Verdict::kNote, .found = remark});
     if (!settings->config.screen.room.empty()) findings.push_back(probe_room(settings->config.screen.room));
+    findings.push_back(probe_speech(settings->config));
     findings.push_back(probe_gallery(settings->config));
     for (Finding& finding : probe_sharing(settings->config))
         findings.push_back(std::move(finding));

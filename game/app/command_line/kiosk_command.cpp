@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/files/asset_folder.h"
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
 #include "engine/jobs/thread_setup.h"
@@ -55,13 +54,6 @@ std::uint64_t tick_mark(const haptic::Snapshot& snapshot) {
     return snapshot.tick + (snapshot.run << 40U) + (snapshot.states_put << 32U);
 }
 
-// The folder with the recordings of the spoken lines; empty without recordings.
-std::filesystem::path spoken_folder(const kiosk::Config& config) {
-    if (!config.sound.spoken_folder.empty()) return config.sound.spoken_folder;
-    const auto found = files::find_asset("spoken");
-    return found ? *found : std::filesystem::path();
-}
-
 // Returns the backend of the command line, else of the settings, which have been validated.
 render::BackendChoice backend_of(const KioskOptions& options, const kiosk::Config& config) {
     return options.backend.value_or(
@@ -83,13 +75,10 @@ Result<KioskSettings> settings_of(const KioskOptions& options) {
     return settings;
 }
 
-Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSettings& settings,
-                        const Beside& beside) {
+Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const Beside& beside) {
     KioskSound& sound = beside.sound;
     KioskKeeper& keeper = beside.keeper;
     Service service;
-    KioskVoice voice(spoken_folder(settings.config));
-    if (auto started = voice.start(); !started) warn(started.error().message);
     jobs::MonotonicClock clock;
     double frame_rate_hz = beside.view.frame_rate_hz();
     std::optional<jobs::FramePacer<>> pacer;
@@ -111,11 +100,6 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const KioskSe
         service.live(now_s, {visit.frames_shown(), tick_mark(job.newest_snapshot())});
         service.say(fmt::format("{}; {} pots kept since the start", visit::step_of(visit.state().screen).name,
                                 visit.pots_kept()));
-        const auto language = static_cast<std::size_t>(visit.state().comfort.language);
-        voice.ask((*settings.languages)[language].code(),
-                  visit.is_closed() ? std::string_view() : visit::spoken_key(visit.state()));
-        sound.say(voice.line());
-        if (const std::string line = voice.news(); !line.empty()) warn("voice: " + line);
         if (const std::string line = sound.news(); !line.empty()) remark(line);
         if (beside.picture != nullptr) {
             if (auto kept = beside.picture->keep(beside.view.quality_note()); !kept)
@@ -176,6 +160,24 @@ haptic::HapticJobOptions kiosk_job_options(const jobs::RealTimeRequest& real_tim
     return options;
 }
 
+haptic::HapticParameters kiosk_parameters(const kiosk::Config& config, bool is_real_time) {
+    haptic::HapticParameters parameters;
+    parameters.set_rate_hz(tick_rate_hz(config.haptics.rate_hz, is_real_time));
+    parameters.studio.forgiving = config.visit.forgiving;
+    return parameters;
+}
+
+// Without a synthesiser, visitors are not offered what they would not hear.
+std::unique_ptr<KioskVoice> begin_voice(KioskSettings& settings) {
+    std::string lack;
+    auto voice = make_voice(settings.config, lack);
+    if (!lack.empty()) warn("voice: " + lack);
+    if (auto started = voice->start(); !started) warn(started.error().message);
+    settings.rules.offers_speech = settings.rules.offers_speech && voice->can_synthesise();
+    settings.rules.speaks = settings.rules.speaks && voice->can_synthesise();
+    return voice;
+}
+
 void tell_last_answers(KioskKeeper& keeper) {
     while (const auto answer = keeper.next_answer())
         if (!answer->words.empty()) answer->is_trouble ? warn(answer->words) : remark(answer->words);
@@ -202,9 +204,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     const jobs::RealTimeRequest real_time{.core = core};
     const bool is_real_time = jobs::probe_real_time(real_time).fifo.grant == jobs::Grant::kGranted;
     const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
-    haptic::HapticParameters parameters;
-    parameters.set_rate_hz(tick_rate_hz(settings->config.haptics.rate_hz, is_real_time));
-    parameters.studio.forgiving = settings->config.visit.forgiving;
+    haptic::HapticParameters parameters = kiosk_parameters(settings->config, is_real_time);
     auto device = std::make_unique<haptic::SimulatedDevice>();
     haptic::SimulatedDevice& pointer = *device;
     pointer.set_target(resting_finger());
@@ -229,6 +229,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
         warn(line);
     KioskSound sound(options.volume.value_or(settings->config.sound.volume / kLoudestStep),
                      options.volume.has_value());
+    const auto voice = begin_voice(*settings);
     Result<void> played;
     KioskEnd end = KioskEnd::kDone;
     {
@@ -239,13 +240,14 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
                           .keeper = keeper,
                           .phone = kiosk::shares(settings->config) ? &phone : nullptr,
                           .sound = sound,
+                          .voice = voice.get(),
                           .settings = *settings,
                           .show = show,
                           .start = start_report,
                           .rate_hz = parameters.rate_hz()});
         played = visit.start();
         if (played)
-            played = run_visits(visit, job, *settings,
+            played = run_visits(visit, job,
                                 {.keeper = keeper,
                                  .sound = sound,
                                  .view = **view,
@@ -307,7 +309,9 @@ void add_kiosk_command(CLI::App& program, int& exit_status) {
     command->footer(
         "In the window: V shows what the hand feels, F or F11 fills the screen, arrow keys move the hand, "
         "Tab "
-        "and Enter\nwork the buttons, Space is a single switch, Esc leaves unless the kiosk is locked.");
+        "and Enter\nwork the buttons, Space is a single switch, W says where you are, Esc leaves unless the "
+        "kiosk is "
+        "locked.");
     command->callback([options, &exit_status] {
         const bool lets_devices_push = options->device != "mouse";
         if (lets_devices_push) {

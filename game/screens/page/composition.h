@@ -46,8 +46,10 @@ struct Item {
 struct Target {
     kiosk::Button button = kiosk::Button::kNone;
     int value = 0;
-    ui::Rect rect;
-    std::string name;      // spoken, and shown next to the scanning ring
+    ui::Rect rect{};
+    std::string name{};    // shown next to the scanning ring
+    std::string key{};     // of the name in the tables; may be empty
+    std::string spoken{};  // with the target's present setting
     bool repeats = false;  // repeats while held
     ui::Rect also{};       // the object in the picture that the target stands for, which can be pressed too
 

@@ -105,6 +105,9 @@ constexpr std::array kPictures{
     Picture{
         Icon::kStill,
         {{{"M6 40 a26 10 0 1 1 52 0 a26 10 0 1 1 -52 0 Z", kMetal}, {"M22 16 V28 M42 16 V28", {}, 6.0F}}}},
+    Picture{Icon::kSpeech,
+            {{{"M8 10 H56 V42 H32 L19 56 V42 H8 Z", design::kPorcelain},
+              {"M20 22 V30 M28 18 V34 M36 21 V31 M44 24 V28", {}, 4.0F}}}},
     Picture{Icon::kCheck, {{{"M10 34 L26 50 L55 15", {}, 6.0F}}}},
     Picture{Icon::kLookIn,
             {{{"M14 14 C21 4 43 4 50 14 C43 24 21 24 14 14 Z"},

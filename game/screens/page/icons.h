@@ -30,6 +30,7 @@ enum class Icon {
     kAbout,
     kLow,
     kStill,
+    kSpeech,
     kCheck,
     kLookIn,
     kShow,

@@ -59,8 +59,8 @@ Setting speed_setting(const kiosk::Throwing& throwing) {
 
 void add_stepper(Page& page, const Rect& place, const Setting& setting, bool rests) {
     const Rect rect = page.on_ledge(place);
-    page.stepper(rect, setting.icon, setting.most, setting.now, rests ? Button::kNone : setting.less,
-                 setting.more, page.t(setting.key), page.right_to_left());
+    page.stepper(rect, setting.icon, {setting.most, setting.now}, rests ? Button::kNone : setting.less,
+                 setting.more, page.named(setting.key), page.right_to_left());
     page.label({rect.x - 6.0F, rect.bottom() + kBelow, rect.width + 12.0F, label_height(page)},
                page.t(setting.key), rests ? design::kRestingWords : design::kSlip);
 }
@@ -68,7 +68,7 @@ void add_stepper(Page& page, const Rect& place, const Setting& setting, bool res
 int add_round(Page& page, const Rect& place, Icon icon, Button button, const char* key, float label_width,
               int value) {
     const Rect rect = page.on_ledge(place);
-    const int target = page.token(rect, Look::kToken, button, page.t(key), value, icon, false);
+    const int target = page.token(rect, Look::kToken, button, page.named(key), value, icon, false);
     constexpr float kEdge = 14.0F;
     const float x =
         std::clamp(rect.centre().x - 0.5F * label_width, kEdge, page.width() - kEdge - label_width);
@@ -78,8 +78,9 @@ int add_round(Page& page, const Rect& place, Icon icon, Button button, const cha
 
 void add_choice(Page& page, const Rect& place, const LedgeChoice& choice, float name_height, float spread) {
     const Rect rect = page.on_ledge(place);
-    const int target =
-        page.token(rect, Look::kToken, choice.button, page.t(choice.key), choice.value, choice.icon, false);
+    const int target = page.token(rect, Look::kToken, choice.button, page.named(choice.key), choice.value,
+                                  choice.icon, false);
+    if (choice.chosen) page.say_chosen();
     page.words({rect.x - spread, rect.bottom() + kBelow, rect.width + 2.0F * spread, name_height},
                {.text = page.t(choice.key),
                 .type = design::kLabel.bold_if(choice.chosen),
@@ -124,14 +125,14 @@ void add_hand_pad(Page& page) {
     const float edge = page.is_tall() ? 24.0F : 32.0F;
     const Rect pad = page.mirrored({page.width() - edge - 264.0F, ledge_top(page) - 172.0F, 264.0F, 164.0F});
     const bool out_is_right = !page.view().state.comfort.left_hand;
-    page.token({pad.x + 92.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kHandUp, page.t("ctl.up"), 0,
+    page.token({pad.x + 92.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kHandUp, page.named("ctl.up"), 0,
                Icon::kUp, false, true);
     page.token({pad.x, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandLeft,
-               page.t(out_is_right ? "ctl.in" : "ctl.out"), 0, Icon::kLeft, false, true);
+               page.named(out_is_right ? "ctl.in" : "ctl.out"), 0, Icon::kLeft, false, true);
     page.token({pad.x + 184.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandRight,
-               page.t(out_is_right ? "ctl.out" : "ctl.in"), 0, Icon::kRight, false, true);
+               page.named(out_is_right ? "ctl.out" : "ctl.in"), 0, Icon::kRight, false, true);
     page.token({pad.x + 92.0F, pad.y + 88.0F, 80.0F, 76.0F}, Look::kToken, Button::kHandDown,
-               page.t("ctl.down"), 0, Icon::kDown, false, true);
+               page.named("ctl.down"), 0, Icon::kDown, false, true);
 }
 
 }  // namespace onggi::screens

@@ -59,6 +59,14 @@ std::uint64_t key_of(const pot::Section& shape, const finish::GlazeMaterial& gla
     return hash.value();
 }
 
+// "Water, 3 of 5".
+std::string setting_words(const kiosk::Language& language, const Name& name, const Steps& steps) {
+    const std::string& words = language.spoken(name.key);
+    const std::string on = std::to_string(steps.on);
+    if (words.find("{n}") != std::string::npos) return kiosk::filled_in(words, on);
+    return words + ", " + kiosk::filled_in(language.spoken("ear.place"), on, std::to_string(steps.most));
+}
+
 }  // namespace
 
 Page::Page(const View& view, ui::Painter& painter, PaintingStore& store)
@@ -274,10 +282,19 @@ int Page::english() const {
     return 0;
 }
 
-int Page::add_target(const Rect& rect, kiosk::Button button, int value, std::string name, bool repeats) {
-    composition_.targets.push_back(
-        {.button = button, .value = value, .rect = rect, .name = std::move(name), .repeats = repeats});
+int Page::add_target(const Rect& rect, kiosk::Button button, int value, const Name& name, bool repeats) {
+    composition_.targets.push_back({.button = button,
+                                    .value = value,
+                                    .rect = rect,
+                                    .name = name.shown,
+                                    .key = name.key,
+                                    .spoken = name.key.empty() ? name.shown : language().spoken(name.key),
+                                    .repeats = repeats});
     return static_cast<int>(composition_.targets.size()) - 1;
+}
+
+void Page::say_chosen() {
+    composition_.targets.back().spoken += ", " + language().spoken("ear.chosen");
 }
 
 // Places the name above the ring, or below it if there is no room or other words are there.
@@ -350,9 +367,9 @@ void Page::token_body(ui::Sketch& sketch, const Rect& rect, Look look, bool pres
                                : Fill::down(design::kTokenHi, design::kTokenLo)});
 }
 
-int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_view name, int value,
+int Page::token(const Rect& rect, Look look, kiosk::Button button, const Name& name, int value,
                 std::optional<Icon> icon, bool with_words, bool repeats) {
-    const int target = add_target(rect, button, value, std::string(name), repeats);
+    const int target = add_target(rect, button, value, name, repeats);
     const Rect reach = rect.grown(kShadowReach);
     const Rect inside{kShadowReach, kShadowReach, rect.width, rect.height};
     Item item;
@@ -382,7 +399,7 @@ int Page::token(const Rect& rect, Look look, kiosk::Button button, std::string_v
     const float icon_side = icon ? (rect.height > 75.0F ? 44.0F : 36.0F) : 0.0F;
     const bool is_narrow = icon && rect.width < 200.0F;
     const float gap = is_narrow ? 6.0F : icon ? 12.0F : 0.0F;
-    Words words{.text = std::string(name), .type = design::bold(30.0F, 38.0F), .colour = ink};
+    Words words{.text = name.shown, .type = design::bold(30.0F, 38.0F), .colour = ink};
     const float room = rect.width - (is_narrow ? 20.0F : 36.0F) - icon_side - gap;
     // One line, as large as fits between the rounded corners.
     float& size = words.type.size;
@@ -437,8 +454,9 @@ void Page::dotted(std::span<const vec2> points) {
     sprite({low.x - kMargin, low.y - kMargin, size.x, size.y}, std::move(sketch));
 }
 
-void Page::stepper(const Rect& rect, Icon icon, int dots, int on, kiosk::Button less, kiosk::Button more,
-                   const std::string& name, bool reversed) {
+void Page::stepper(const Rect& rect, Icon icon, const Steps& steps, kiosk::Button less, kiosk::Button more,
+                   const Name& name, bool reversed) {
+    const int dots = steps.most;
     const float end = rect.height > 75.0F ? 72.0F : 50.0F;
     const float picture = rect.height > 75.0F ? 44.0F : 38.0F;
     ui::Sketch sketch;
@@ -461,7 +479,7 @@ void Page::stepper(const Rect& rect, Icon icon, int dots, int on, kiosk::Button 
             body.centre().x + (static_cast<float>(place) - 0.5F * static_cast<float>(dots - 1)) * dot_step;
         const Rect dot{x - 4.5F, body.bottom() - (rect.height > 75.0F ? 24.0F : 19.0F), 9.0F, 9.0F};
         sketch.add(ui::Ellipse{dot, Fill::flat(design::kDot)});
-        if (i >= on) sketch.add(ui::Ellipse{dot.grown(-2.0F), Fill::flat(ui::hex(0xf3e9d8))});
+        if (i >= steps.on) sketch.add(ui::Ellipse{dot.grown(-2.0F), Fill::flat(ui::hex(0xf3e9d8))});
     }
     sprite(rect.grown(kShadowReach), std::move(sketch));
     if (less == kiosk::Button::kNone) {
@@ -470,8 +488,11 @@ void Page::stepper(const Rect& rect, Icon icon, int dots, int on, kiosk::Button 
     }
     const Rect first{rect.x, rect.y, end, rect.height};
     const Rect last{rect.right() - end, rect.y, end, rect.height};
-    add_target(reversed ? last : first, less, 0, name + " \xe2\x88\x92", true);  // U+2212
-    add_target(reversed ? first : last, more, 0, name + " +", true);
+    const std::string now = setting_words(language(), name, steps) + ". ";
+    add_target(reversed ? last : first, less, 0, {name.shown + " \xe2\x88\x92"}, true);  // U+2212
+    composition_.targets.back().spoken = now + language().spoken("ear.less");
+    add_target(reversed ? first : last, more, 0, {name.shown + " +"}, true);
+    composition_.targets.back().spoken = now + language().spoken("ear.more");
 }
 
 void Page::label(const Rect& rect, const std::string& text, const Colour& colour) {
@@ -488,18 +509,17 @@ void Page::card(const Rect& rect, const Colour& top, const Colour& bottom, int t
     sprite(rect.grown(kReach), std::move(sketch), target);
 }
 
-int Page::card_target(const Rect& rect, bool celadon, kiosk::Button button, int value,
-                      const std::string& name) {
+int Page::card_target(const Rect& rect, bool celadon, kiosk::Button button, int value, const Name& name) {
     const int target = add_target(rect, button, value, name, false);
     card(rect, celadon ? design::kCeladonHi : design::kHanji, celadon ? ui::hex(0xb3ccac) : design::kHanji,
          target);
     return target;
 }
 
-int Page::card_niche(const Rect& rect, bool chosen, kiosk::Button button, int value,
-                     const std::string& name) {
+int Page::card_niche(const Rect& rect, bool chosen, kiosk::Button button, int value, const Name& name) {
     const int target = add_target(rect, button, value, name, false);
     if (chosen) {
+        say_chosen();
         card(rect, design::kHanji, design::kHanji, target);
         return target;
     }
@@ -513,7 +533,7 @@ int Page::card_niche(const Rect& rect, bool chosen, kiosk::Button button, int va
 
 Rect Page::languages_token(const Rect& low) {
     const Rect rect = mirrored(is_low() ? low : Rect{width() - 32.0F - 150.0F, 28.0F, 150.0F, 60.0F});
-    const int target = add_target(rect, kiosk::Button::kLanguages, 0, t("lang.title"), false);
+    const int target = add_target(rect, kiosk::Button::kLanguages, 0, named("lang.title"), false);
     ui::Sketch sketch;
     const Rect body{0.0F, 0.0F, rect.width, rect.height};
     token_body(sketch, body, Look::kOutline, false);
@@ -550,13 +570,14 @@ void Page::look_in_token(const Rect& languages) {
     const Rect rect{is_right_of ? languages.right() + 16.0F : languages.x - 100.0F, languages.y - 3.0F, 84.0F,
                     66.0F};
     token(rect, inside ? Look::kToken : Look::kOutline, kiosk::Button::kLookIn,
-          t(inside ? "ctl.front" : "ctl.inside"), 0, Icon::kLookIn, false);
+          named(inside ? "ctl.front" : "ctl.inside"), 0, Icon::kLookIn, false);
 }
 
 void Page::language_token(const Rect& rect, int place, bool chosen) {
     const kiosk::Language& tongue = language(place);
     const Look look = chosen ? Look::kPrimary : Look::kToken;
     const int target = add_target(rect, kiosk::Button::kLanguage, place, tongue.shown("name"), false);
+    if (chosen) say_chosen();
     ui::Sketch sketch;
     const Rect body{kShadowReach, kShadowReach, rect.width, rect.height};
     token_body(sketch, body, look, false);
@@ -588,8 +609,9 @@ void Page::language_token(const Rect& rect, int place, bool chosen) {
     composition_.items.back().target = target;
 }
 
-void Page::toggle(const Rect& rect, Icon icon, bool on, kiosk::Button button, const std::string& name) {
+void Page::toggle(const Rect& rect, Icon icon, bool on, kiosk::Button button, const Name& name) {
     const int target = add_target(rect, button, on ? 1 : 0, name, false);
+    if (on) say_chosen();
     ui::Sketch sketch;
     const Rect body{kShadowReach, kShadowReach, rect.width, rect.height};
     token_body(sketch, body, on ? Look::kPrimary : Look::kToken, false);

@@ -65,6 +65,22 @@ struct FittedLines {
     float height = 0.0F;
 };
 
+// The name of a target, as it is shown, with its key in the tables: from there it is spoken. A name without a
+// key is spoken as it is shown.
+struct Name {
+    Name(std::string text) : shown(std::move(text)) {}
+    Name(std::string text, std::string_view of_key) : shown(std::move(text)), key(of_key) {}
+
+    std::string shown;
+    std::string key{};
+};
+
+// A setting of `most` steps.
+struct Steps {
+    int most = 0;
+    int on = 0;
+};
+
 enum class Look { kToken, kPrimary, kOutline };
 
 class Page {
@@ -97,6 +113,7 @@ class Page {
     // The visitor's language (-1) or another.
     [[nodiscard]] const kiosk::Language& language(int place = -1) const;
     [[nodiscard]] const std::string& t(std::string_view key) const { return language().shown(key); }
+    [[nodiscard]] Name named(std::string_view key) const { return {t(key), key}; }
     [[nodiscard]] std::string t(std::string_view key, std::string_view n) const {
         return language().shown(key, n);
     }
@@ -142,23 +159,22 @@ class Page {
     void fitted_words(const ui::Rect& rect, const FittedLines& fitted);
 
     // Buttons. `rect` is already mirrored.
-    int token(const ui::Rect& rect, Look look, kiosk::Button button, std::string_view name, int value = 0,
+    int token(const ui::Rect& rect, Look look, kiosk::Button button, const Name& name, int value = 0,
               std::optional<Icon> icon = {}, bool with_words = true, bool repeats = false);
     void back_token(const ui::Rect& rect, kiosk::Button button = kiosk::Button::kBack) {
-        token(rect, Look::kOutline, button, t("ctl.back"), 0, right_to_left() ? Icon::kRight : Icon::kLeft);
+        token(rect, Look::kOutline, button, named("ctl.back"), 0,
+              right_to_left() ? Icon::kRight : Icon::kLeft);
     }
     // Draws dots along the line through these points, cream over dark.
     void dotted(std::span<const vec2> points);
     // Without `less` the stepper is visible but disabled.
-    void stepper(const ui::Rect& rect, Icon icon, int dots, int on, kiosk::Button less, kiosk::Button more,
-                 const std::string& name, bool reversed);
+    void stepper(const ui::Rect& rect, Icon icon, const Steps& steps, kiosk::Button less, kiosk::Button more,
+                 const Name& name, bool reversed);
     void label(const ui::Rect& rect, const std::string& text, const ui::Colour& colour = design::kSlip);
     void card(const ui::Rect& rect, const ui::Colour& top, const ui::Colour& bottom, int target = -1);
-    int card_target(const ui::Rect& rect, bool celadon, kiosk::Button button, int value,
-                    const std::string& name);
+    int card_target(const ui::Rect& rect, bool celadon, kiosk::Button button, int value, const Name& name);
     // Adds a dark niche; a chosen one has the colour of paper.
-    int card_niche(const ui::Rect& rect, bool chosen, kiosk::Button button, int value,
-                   const std::string& name);
+    int card_niche(const ui::Rect& rect, bool chosen, kiosk::Button button, int value, const Name& name);
     // Adds the button for the choice of languages; with low controls at `low`, a place on a left-to-right
     // screen. Returns its place.
     ui::Rect languages_token(const ui::Rect& low);
@@ -167,11 +183,13 @@ class Page {
     void scene_ends();
     // Adds a language by its own name and script.
     void language_token(const ui::Rect& rect, int place, bool chosen);
-    void toggle(const ui::Rect& rect, Icon icon, bool on, kiosk::Button button, const std::string& name);
+    void toggle(const ui::Rect& rect, Icon icon, bool on, kiosk::Button button, const Name& name);
     // Adds a target without a picture; the caller draws it.
-    int plain_target(const ui::Rect& rect, kiosk::Button button, int value, const std::string& name) {
+    int plain_target(const ui::Rect& rect, kiosk::Button button, int value, const Name& name) {
         return add_target(rect, button, value, name, false);
     }
+    // Adds to what is said of the newest target: that it is chosen.
+    void say_chosen();
     // The index of English among the languages, or 0 if it is missing.
     [[nodiscard]] int english() const;
 
@@ -205,7 +223,7 @@ class Page {
     ui::Rect stand(const pot::Section& shape, float u_per_mm, vec2 foot);
     [[nodiscard]] ui::TextStyle style(const Words& words) const;
     void name_ring(const ui::Rect& ring, const std::string& name);
-    int add_target(const ui::Rect& rect, kiosk::Button button, int value, std::string name, bool repeats);
+    int add_target(const ui::Rect& rect, kiosk::Button button, int value, const Name& name, bool repeats);
     void token_body(ui::Sketch& sketch, const ui::Rect& rect, Look look, bool pressed) const;
 
     const View& view_;

@@ -126,10 +126,11 @@ struct View {
     std::shared_ptr<const std::vector<ShelfPot>> shelf;
     // The wall of the day, oldest first. Null or not empty; unless null, shown in place of the throwing.
     std::shared_ptr<const std::vector<ShelfPot>> wall;
-    bool has_wall = false;     // the pot may be put on the wall
-    bool wall_is_new = false;  // the newest pot was just added
-    int attract_turn = 0;      // number of completed attract turns; each shows the throwing, then a pot
-    int attract_exhibit = -1;  // shown turning in place of the throwing, or -1
+    bool offers_speech = false;  // it can be switched on and off
+    bool has_wall = false;       // the pot may be put on the wall
+    bool wall_is_new = false;    // the newest pot was just added
+    int attract_turn = 0;        // number of completed attract turns; each shows the throwing, then a pot
+    int attract_exhibit = -1;    // shown turning in place of the throwing, or -1
     // The target's outline over the scene, pixels: left and right side from the bottom, then the rim.
     std::vector<std::vector<vec2>> outline_px;
     // The photographed room's edges: left, top and right.

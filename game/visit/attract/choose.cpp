@@ -14,6 +14,7 @@ namespace {
 using ui::Rect;
 
 struct Choice {
+    std::string key;  // of the name
     std::string name;
     std::string second;
     std::string third;
@@ -47,7 +48,8 @@ FittedLines card_words(Page& page, const Choice& choice, vec2 card) {
 
 void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     const bool free = choice.exhibit == nullptr;
-    page.card_target(card, free, free ? Button::kFree : Button::kTarget, free ? 0 : index - 1, choice.name);
+    page.card_target(card, free, free ? Button::kFree : Button::kTarget, free ? 0 : index - 1,
+                     page.named(choice.key));
     const Rect inner{card.x + 11.0F, card.y + 11.0F, card.width - 22.0F, card.height - 18.0F};
     FittedLines fitted = card_words(page, choice, {card.width, card.height});
     // The size is always the card's last line.
@@ -65,14 +67,15 @@ constexpr float kAboutRoom = kAboutSide + 10.0F;
 // Adds the button that opens the pot's card.
 void about(Page& page, const Rect& rect, const Choice& choice, int index) {
     if (choice.exhibit == nullptr || !choice.exhibit->card) return;
-    page.token(rect, Look::kToken, Button::kCard, page.t("card.about"), index - 1, Icon::kAbout, false);
+    page.token(rect, Look::kToken, Button::kCard, page.named("card.about"), index - 1, Icon::kAbout, false);
 }
 
 std::vector<Choice> all_choices(const Page& page) {
-    std::vector<Choice> choices{{page.t("choose.free"), page.t("choose.free2"), "", "", nullptr}};
+    std::vector<Choice> choices{
+        {"choose.free", page.t("choose.free"), page.t("choose.free2"), "", "", nullptr}};
     for (const Exhibit& exhibit : *page.view().exhibits) {
-        choices.push_back({page.t(exhibit.name_key), page.t(exhibit.museum_key), page.t(exhibit.date_key),
-                           size_of(page, exhibit), &exhibit});
+        choices.push_back({exhibit.name_key, page.t(exhibit.name_key), page.t(exhibit.museum_key),
+                           page.t(exhibit.date_key), size_of(page, exhibit), &exhibit});
     }
     return choices;
 }
@@ -171,10 +174,10 @@ void choices_on_shelf(Page& page, ShownChoices& shown) {
 void paging_tokens(Page& page, const ShownChoices& shown, float y) {
     const bool rtl = page.right_to_left();
     page.token(page.mirrored({222.0F, y, 84.0F, 60.0F}), Look::kToken, Button::kShelfBefore,
-               page.t("choose.before"), std::max(0, shown.first - shown.count),
+               page.named("choose.before"), std::max(0, shown.first - shown.count),
                rtl ? Icon::kRight : Icon::kLeft, false);
     page.token(page.mirrored({322.0F, y, 84.0F, 60.0F}), Look::kToken, Button::kShelfNext,
-               page.t("choose.next"),
+               page.named("choose.next"),
                std::min(shown.first + shown.count, static_cast<int>(shown.all.size()) - shown.count),
                rtl ? Icon::kLeft : Icon::kRight, false);
 }
@@ -304,7 +307,7 @@ void draw_card_panel(Page& page) {
     page.back_token(page.mirrored({32.0F, foot_y + 8.0F, 190.0F, 70.0F}), Button::kCardClose);
     if (view.state.card == kRelativesCard) return;  // a pot is already shown
     page.token(page.mirrored({width - 332.0F, foot_y + 2.0F, 300.0F, 76.0F}), Look::kPrimary,
-               Button::kCardThrow, page.t("card.throw"));
+               Button::kCardThrow, page.named("card.throw"));
 }
 
 bool is_pot(const Turn& turn, int place) {

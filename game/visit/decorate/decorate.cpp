@@ -221,12 +221,12 @@ void brush_pad(Page& page, float top) {
     const float edge = page.is_tall() ? 24.0F : 32.0F;
     const Rect pad = page.mirrored({page.width() - edge - 264.0F, top - 172.0F, 264.0F, 164.0F});
     const auto arrow = [&](float x, float y, Button button, const char* key, Icon icon) {
-        page.token({pad.x + x, pad.y + y, 80.0F, 76.0F}, Look::kToken, button, page.t(key), 0, icon, false,
-                   true);
+        page.token({pad.x + x, pad.y + y, 80.0F, 76.0F}, Look::kToken, button, page.named(key), 0, icon,
+                   false, true);
     };
     arrow(92.0F, 0.0F, Button::kHandUp, "ctl.up", Icon::kUp);
-    page.token({pad.x + 184.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kPutBrush, page.t("dec.put"), 0,
-               Icon::kBrushDown, false);
+    page.token({pad.x + 184.0F, pad.y, 80.0F, 76.0F}, Look::kToken, Button::kPutBrush, page.named("dec.put"),
+               0, Icon::kBrushDown, false);
     arrow(0.0F, 88.0F, Button::kHandLeft, "ctl.left", Icon::kLeft);
     arrow(92.0F, 88.0F, Button::kHandDown, "ctl.down", Icon::kDown);
     arrow(184.0F, 88.0F, Button::kHandRight, "ctl.right", Icon::kRight);
@@ -275,9 +275,9 @@ void draw_decorate(Page& page) {
                      decorating.black);
     } else {
         const Rect rect = page.on_ledge(places.size);
-        page.stepper(rect, kToolChoices[static_cast<std::size_t>(decorating.tool)].icon, kMostBrush,
-                     decorating.brush, Button::kToolLess, Button::kToolMore, page.t("dec.size"),
-                     page.right_to_left());
+        page.stepper(rect, kToolChoices[static_cast<std::size_t>(decorating.tool)].icon,
+                     {kMostBrush, decorating.brush}, Button::kToolLess, Button::kToolMore,
+                     page.named("dec.size"), page.right_to_left());
         page.label({rect.x, rect.bottom() + 8.0F, rect.width, label}, page.t("dec.size"));
     }
     choice_token(
@@ -286,14 +286,14 @@ void draw_decorate(Page& page) {
         Button::kTurning, 0, false, kLessWideLabel);
     choice_token(page, places.undo, label, {Icon::kUndo, "ctl.undo"}, Button::kUndo, 0, false, kWideLabel);
     if (is_square) {
-        page.token(page.on_ledge(places.clear), Look::kToken, Button::kClear, page.t("dec.clear"), 0,
+        page.token(page.on_ledge(places.clear), Look::kToken, Button::kClear, page.named("dec.clear"), 0,
                    Icon::kWipe);
     } else {
         choice_token(page, places.clear, label, {Icon::kWipe, "dec.clear"}, Button::kClear, 0, false);
     }
     const bool is_plain = decorating.strokes == 0;
     page.token(page.on_ledge(places.done), Look::kPrimary, Button::kDone,
-               page.t(is_plain ? "dec.plain" : "dec.done"));
+               page.named(is_plain ? "dec.plain" : "dec.done"));
     // With low controls the languages' token is opposite the brush's keys.
     static_cast<void>(page.languages_token(low_languages(page)));
 }

@@ -260,7 +260,7 @@ void draw_firing(Page& page) {
     const float button = 180.0F;
     page.token(tall ? Rect{0.5F * (width - 280.0F), height - 130.0F, 280.0F, 80.0F}
                     : page.mirrored({width - 32.0F - button, words_y - 4.0F, button, 66.0F}),
-               Look::kOutline, Button::kSkip, page.t("fin.skip"));
+               Look::kOutline, Button::kSkip, page.named("fin.skip"));
 }
 
 void draw_glazes(Page& page) {
@@ -298,9 +298,9 @@ void draw_glazes(Page& page) {
                     [&] { page.pot(view.pot->shape, glowing_clay(), std::min(scale, 3.2F), foot); });
     }
     glaze_words(page, places, chosen);
-    page.token(page.mirrored(places.take), Look::kPrimary, Button::kTakeGlaze, page.t("glz.take"));
-    page.token(page.mirrored(places.decorate), Look::kToken, Button::kDecorateAgain, page.t("dec.title"), 0,
-               Icon::kIronBrush);
+    page.token(page.mirrored(places.take), Look::kPrimary, Button::kTakeGlaze, page.named("glz.take"));
+    page.token(page.mirrored(places.decorate), Look::kToken, Button::kDecorateAgain, page.named("dec.title"),
+               0, Icon::kIronBrush);
     const float left = 0.5F * (width - static_cast<float>(columns) * (niche_width + gap) + gap);
     for (int i = 0; i < finish::kGlazeCount; ++i) {
         const finish::GlazeMaterial& one = finish::glaze_at(i);
@@ -308,7 +308,7 @@ void draw_glazes(Page& page) {
         const Rect niche = page.mirrored({left + static_cast<float>(i % columns) * (niche_width + gap),
                                           niches_y + static_cast<float>(i / columns) * (niche_height + gap),
                                           niche_width, niche_height});
-        page.card_niche(niche, on, Button::kGlaze, i, page.t(one.name_key));
+        page.card_niche(niche, on, Button::kGlaze, i, page.named(one.name_key));
         if (view.pot) {
             const float scale = fitting_scale(view.pot->shape, niche_width - 40.0F, niche_height - 54.0F);
             page.pot(view.pot->shape, one, scale, {niche.centre().x, niche.bottom() - 52.0F});

@@ -166,7 +166,7 @@ void near_words(Page& page, const Rect& rect, const FiredPot& pot, const Stands&
                           kSide};
         const Rect low{rtl ? languages.right() + kGap : languages.x - kGap - kSide, languages.y - 2.0F, kSide,
                        kSide};
-        page.token(page.is_low() ? low : beside, Look::kOutline, Button::kCard, page.t("card.about"),
+        page.token(page.is_low() ? low : beside, Look::kOutline, Button::kCard, page.named("card.about"),
                    kRelativesCard, Icon::kAbout, false);
     }
     page.words({rect.x, rect.y + split, rect.width, rect.height - split},
@@ -248,9 +248,9 @@ void draw_your_pot(Page& page) {
     }
     const float left_width = 0.46F * card_width;
     page.token(page.mirrored({card_x, y, left_width, 76.0F}), Look::kOutline, Button::kOtherGlaze,
-               page.t("your.glaze"));
+               page.named("your.glaze"));
     page.token(page.mirrored({card_x + left_width + 18.0F, y, card_width - left_width - 18.0F, 76.0F}),
-               Look::kPrimary, Button::kKeep, page.t("your.keep"));
+               Look::kPrimary, Button::kKeep, page.named("your.keep"));
 }
 
 void press_your_pot(Turn& turn, const event::Pressed& event) {

@@ -1,6 +1,8 @@
 #include "game/visit/flow/flow.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "game/visit/flow/turn.h"
 
@@ -15,6 +17,7 @@ State first_state(const Rules& rules, double now_s) {
     state.comfort.language = state.house_language = rules.default_language;
     state.comfort.volume = state.house_volume = rules.default_volume;
     state.comfort.text_size = rules.default_text_size;
+    state.comfort.speech = rules.speaks;
     state.screen_s = state.panel_s = state.input_s = state.visit_s = now_s;
     return state;
 }
@@ -22,6 +25,15 @@ State first_state(const Rules& rules, double now_s) {
 int pin_seconds_left(const State& state, double now_s) {
     return std::max(0, static_cast<int>(std::ceil(state.pin_guard.opens_s - now_s - 1e-9)));
 }
+
+namespace {
+
+// Before a visitor has switched it on or off.
+bool speaks_at_first(const State& state, const Rules& rules) {
+    return rules.speaks || (rules.offers_speech && state.headphones);
+}
+
+}  // namespace
 
 void Turn::show(Screen screen) {
     const auto leave = step_of(state.screen).leave;
@@ -82,6 +94,9 @@ void Turn::end_visit() {
     state.comfort.volume = state.house_volume = before.house_volume;
     state.comfort.language = state.house_language = before.house_language;
     state.force_rests = before.force_rests;
+    state.headphones = before.headphones;
+    state.comfort.speech = speaks_at_first(state, rules);
+    state.speaks = before.speaks;
     state.interrupted_jar = before.interrupted_jar;
     state.interrupted_pot = before.interrupted_pot;
     state.interrupted_session = before.interrupted_session;  // until a visitor accepts or declines it
@@ -92,8 +107,16 @@ void Turn::end_visit() {
 
 namespace {
 
+// A voice takes longer than reading does: its time does not count as idle, within bounds.
+bool is_idle(const Turn& turn, double idle_s) {
+    const double heard_s = std::min(turn.state.listened_s, turn.rules.listens_most_s);
+    return turn.now_s - turn.state.input_s - heard_s >= idle_s;
+}
+
 void pass_time(Turn& turn) {
     State& state = turn.state;
+    const double since_s = turn.now_s - std::exchange(state.ticked_s, turn.now_s);
+    if (state.speaks) state.listened_s += since_s;
     if (const auto tick = overlay_of(state.panel).tick) return tick(turn);
     if (const auto tick = step_of(state.screen).tick) tick(turn);
     const Step& step = step_of(state.screen);  // the tick may have changed the screen
@@ -104,13 +127,18 @@ void pass_time(Turn& turn) {
         state.input_s = turn.now_s;
     const bool makes_jar = step.has_wet_clay && state.throwing.jar.step != JarStep::kNone;
     const double idle_s = makes_jar ? turn.rules.jar_idle_s : turn.rules.idle_s;
-    if (turn.now_s - state.input_s >= idle_s) turn.lay_over(Panel::kIdle);
+    if (is_idle(turn, idle_s)) turn.lay_over(Panel::kIdle);
+}
+
+void take_input(Turn& turn) {
+    turn.state.input_s = turn.now_s;
+    turn.state.listened_s = 0.0;
 }
 
 // Handles input from a visitor: passes it to the step. During the idle countdown the visit continues.
 void wake(Turn& turn, const Event& event) {
     State& state = turn.state;
-    state.input_s = turn.now_s;
+    take_input(turn);
     if (overlay_of(state.panel).is_staffs) state.staff_used_s = turn.now_s;
     if (state.panel == Panel::kIdle) turn.lay_over(Panel::kNone);
     if (state.panel == Panel::kNone) turn.take(event);
@@ -118,7 +146,7 @@ void wake(Turn& turn, const Event& event) {
 
 void press(Turn& turn, const event::Pressed& event) {
     State& state = turn.state;
-    state.input_s = turn.now_s;
+    take_input(turn);
     if (const auto press_it = overlay_of(state.panel).press) return press_it(turn, event);
     const Step& step = step_of(state.screen);
     if (event.button == Button::kLanguages && step.whose != Whose::kStaff) {
@@ -177,6 +205,12 @@ struct Taking {
     }
     void operator()(const event::Device& device) { state.device_lost = !device.is_there; }
     void operator()(const event::Force& force) { state.force_rests = force.rests; }
+    // Plugging them in asks for speech; whoever pulls them out leaves, or the loudspeakers would go on.
+    void operator()(const event::Headphones& headphones) {
+        state.headphones = headphones.are_in;
+        state.comfort.speech = speaks_at_first(state, turn.rules);
+    }
+    void operator()(const event::Spoken& spoken) { state.speaks = spoken.speaks; }
     void operator()(const event::Fault& /*fault*/) { enter_fault(turn); }
     void operator()(const event::InterruptedSession& found) {
         state.interrupted_session = true;

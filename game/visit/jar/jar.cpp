@@ -104,7 +104,7 @@ void add_join_ledge(Page& page) {
     // Two buttons share one name below them.
     const float side_x = tall ? page.width() - 300.0F : join.x - 236.0F;
     const auto aside = [&](float x, Icon icon, Button button, const char* key) {
-        page.token(page.on_ledge({x, y, 90.0F, 66.0F}), Look::kToken, button, page.t(key), 0, icon, false,
+        page.token(page.on_ledge({x, y, 90.0F, 66.0F}), Look::kToken, button, page.named(key), 0, icon, false,
                    true);
     };
     // Left on the screen is left of the jar, even if the ledge is mirrored.
@@ -117,7 +117,7 @@ void add_join_ledge(Page& page) {
     const float undo_x = tall ? 32.0F : side_x - 128.0F;
     add_round(page, {undo_x, tall ? second_row_y(page) : y, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo,
               "ctl.undo", 112.0F);
-    page.token(page.on_ledge(join), Look::kPrimary, Button::kJoinBowls, page.t("moon.join"));
+    page.token(page.on_ledge(join), Look::kPrimary, Button::kJoinBowls, page.named("moon.join"));
 }
 
 void draw_jar_start(Page& page) {
@@ -170,7 +170,7 @@ void draw_jar_start(Page& page) {
     const float back_x = tall ? 40.0F : x;
     page.back_token(page.mirrored({back_x, foot_y, 190.0F, 76.0F}));
     page.token(page.mirrored({back_x + 208.0F, foot_y, wide - 208.0F, 76.0F}), Look::kPrimary, Button::kBegin,
-               page.t("moon.begin"));
+               page.named("moon.begin"));
 }
 
 void draw_join(Page& page) {
@@ -409,7 +409,7 @@ void add_jar_steps(Page& page) {
 void add_aside_ledge(Page& page) {
     add_jar_steps(page);
     const Rect next = last_token(page, 268.0F);
-    page.token(page.on_ledge(next), Look::kPrimary, Button::kDone, page.t("moon.next"));
+    page.token(page.on_ledge(next), Look::kPrimary, Button::kDone, page.named("moon.next"));
     const float x = page.is_tall() ? 32.0F : next.x - 120.0F;
     const float y = page.is_tall() ? second_row_y(page) : row_y(page);
     add_round(page, {x, y, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 112.0F);

@@ -132,7 +132,7 @@ void add_waiting(Page& page, const Rect& card, Icon icon, const char* title, con
     page.words(line_below(card, card.y + 106.0F, 44.0F), strong(page.t(title)));
     page.words(line_below(card, card.y + 150.0F, 72.0F), quiet(page.t(line)));
     page.token({card.centre().x - 140.0F, card.y + 238.0F, 280.0F, 66.0F}, Look::kToken, Button::kShareAgain,
-               page.t(action));
+               page.named(action));
 }
 
 void add_phone_card(Page& page, const Rect& card) {
@@ -232,11 +232,12 @@ void keep_tokens(Page& page, float finish_width) {
     const float width = page.width();
     const bool joins = has_phone_card(view) && view.state.keeping.phone == Phone::kWifi;
     const Button next = joins ? Button::kOnWifi : Button::kAnother;
-    const std::string& next_name = page.t(joins ? "home.wnext" : "keep.again");
+    const Name next_name = page.named(joins ? "home.wnext" : "keep.again");
     const bool offers_wall = is_kept(view) && view.has_wall;
     const auto wall_token = [&](const Rect& rect) {
-        page.token(page.mirrored(rect), Look::kToken, Button::kOnWall, page.t("home.shelf"), 0,
+        page.token(page.mirrored(rect), Look::kToken, Button::kOnWall, page.named("home.shelf"), 0,
                    view.state.keeping.on_wall ? std::optional(Icon::kCheck) : std::nullopt);
+        if (view.state.keeping.on_wall) page.say_chosen();
     };
     if (page.is_tall()) {
         const float down = page.lower_by();
@@ -245,7 +246,7 @@ void keep_tokens(Page& page, float finish_width) {
         page.token(page.mirrored({60.0F + wall_width, 1090.0F + down, width - 120.0F - wall_width, 84.0F}),
                    Look::kPrimary, next, next_name);
         page.token(page.mirrored({60.0F, 1190.0F + down, finish_width, 68.0F}), Look::kOutline,
-                   Button::kFinish, page.t("keep.end"));
+                   Button::kFinish, page.named("keep.end"));
         return;
     }
     const bool square = page.is_square();
@@ -253,7 +254,7 @@ void keep_tokens(Page& page, float finish_width) {
     const float again = square ? 240.0F : 264.0F;
     page.token(page.mirrored({width - 32.0F - again, y, again, 78.0F}), Look::kPrimary, next, next_name);
     page.token(page.mirrored({width - 50.0F - again - finish_width, y, finish_width, 78.0F}), Look::kOutline,
-               Button::kFinish, page.t("keep.end"));
+               Button::kFinish, page.named("keep.end"));
     if (offers_wall) {
         const float room = width - 50.0F - again - finish_width - 18.0F - 32.0F;
         // In a square picture the promise ends just above.

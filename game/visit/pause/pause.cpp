@@ -59,9 +59,9 @@ void draw_idle(Page& page) {
                 .align = ui::Align::kCentre});
     const float button = std::min(280.0F, 0.5F * width - 60.0F);
     page.token(page.mirrored({0.5F * width - 14.0F - button, button_y, button, 84.0F}), Look::kOutline,
-               Button::kFresh, page.t("idle.fresh"));
+               Button::kFresh, page.named("idle.fresh"));
     page.token(page.mirrored({0.5F * width + 14.0F, button_y, button, 84.0F}), Look::kPrimary, Button::kStay,
-               page.t("idle.stay"));
+               page.named("idle.stay"));
 }
 
 constexpr float kComfortGap = 24.0F;
@@ -128,17 +128,21 @@ void comfort_controls(Page& page, float y) {
     const auto stepper = [&](const Rect& place, Icon icon, int dots, int on, Button less, Button more,
                              const char* key) {
         const Rect rect = page.mirrored(place);
-        page.stepper(rect, icon, dots, on, less, more, page.t(key), reversed);
+        page.stepper(rect, icon, {dots, on}, less, more, page.named(key), reversed);
         page.label({rect.x - 8.0F, rect.bottom() + 8.0F, rect.width + 16.0F, 66.0F}, page.t(key));
     };
     const auto toggle = [&](const Rect& place, Icon icon, bool on, Button button, const char* key) {
         const Rect rect = page.mirrored(place);
-        page.toggle(rect, icon, on, button, page.t(key));
+        page.toggle(rect, icon, on, button, page.named(key));
         page.label({rect.x - 10.0F, rect.bottom() + 8.0F, rect.width + 20.0F, 66.0F}, page.t(key));
     };
     const float stepper_width = std::min(238.0F, (width - 64.0F - 4.0F * gap) * 0.21F + 60.0F);
+    const bool has_speech = page.view().offers_speech;
+    const float toggles = has_speech ? 4.0F : 3.0F;
     const float toggle_width =
-        tall ? 180.0F : std::min(150.0F, (width - 64.0F - 2.0F * stepper_width - 4.0F * gap) / 3.0F);
+        tall ? std::min(180.0F, (width - 64.0F - (toggles - 1.0F) * gap) / toggles)
+             : std::min(150.0F, (width - 64.0F - 2.0F * stepper_width - (toggles + 1.0F) * gap) / toggles);
+    const float toggles_width = toggles * toggle_width + (toggles - 1.0F) * gap;
     if (tall) {
         const float two = 0.5F * width;
         stepper({two - 254.0F, y, 238.0F, 84.0F}, Icon::kText, kMostTextSize, comfort.text_size,
@@ -146,7 +150,7 @@ void comfort_controls(Page& page, float y) {
         stepper({two + 16.0F, y, 238.0F, 84.0F}, Icon::kSound, kMostVolume, comfort.volume,
                 Button::kSoundLess, Button::kSoundMore, "lang.sound");
     } else {
-        const float all = 2.0F * stepper_width + 3.0F * toggle_width + 4.0F * gap;
+        const float all = 2.0F * (stepper_width + gap) + toggles_width;
         const float x = 0.5F * (width - all);
         stepper({x, y, stepper_width, 84.0F}, Icon::kText, kMostTextSize, comfort.text_size,
                 Button::kTextLess, Button::kTextMore, "lang.text");
@@ -154,15 +158,17 @@ void comfort_controls(Page& page, float y) {
                 Button::kSoundLess, Button::kSoundMore, "lang.sound");
     }
     const float toggles_y = tall ? y + (page.is_low() ? 162.0F : 200.0F) : y;
-    const float toggles_x = tall ? 0.5F * (width - 3.0F * toggle_width - 2.0F * gap)
-                                 : 0.5F * (width + 2.0F * stepper_width + 3.0F * toggle_width + 4.0F * gap) -
-                                       3.0F * toggle_width - 2.0F * gap;
+    const float toggles_x =
+        tall ? 0.5F * (width - toggles_width) : 0.5F * (width + 2.0F * (stepper_width + gap) - toggles_width);
     toggle({toggles_x, toggles_y, toggle_width, 84.0F}, Icon::kLow, comfort.reach, Button::kReach,
            "lang.reach");
     toggle({toggles_x + toggle_width + gap, toggles_y, toggle_width, 84.0F}, Icon::kHand, comfort.left_hand,
            Button::kLeftHand, "lang.left");
     toggle({toggles_x + 2.0F * (toggle_width + gap), toggles_y, toggle_width, 84.0F}, Icon::kStill,
            comfort.still, Button::kStill, "lang.still");
+    if (!has_speech) return;
+    toggle({toggles_x + 3.0F * (toggle_width + gap), toggles_y, toggle_width, 84.0F}, Icon::kSpeech,
+           comfort.speech, Button::kSpeech, "lang.speech");
 }
 
 void draw_language(Page& page) {
@@ -195,7 +201,7 @@ void draw_language(Page& page) {
     const float done_high = crowded ? 58.0F : low ? 80.0F : 84.0F;
     const float done_y = page.height() - (low ? done_high + 18.0F : tall ? 160.0F : 120.0F);
     page.token({0.5F * (width - 280.0F), done_y, 280.0F, done_high}, Look::kPrimary, Button::kComfortDone,
-               page.t("lang.done"));
+               page.named("lang.done"));
 }
 
 void draw_resume(Page& page) {
@@ -215,9 +221,9 @@ void draw_resume(Page& page) {
     const float y = height - (tall ? 330.0F : 150.0F);
     const float button = std::min(330.0F, 0.5F * width - 60.0F);
     page.token(page.mirrored({0.5F * width - 14.0F - button, y, button, 84.0F}), Look::kOutline,
-               Button::kResumeFresh, page.t("ctl.again"), 0, tall ? std::optional<Icon>() : Icon::kAgain);
+               Button::kResumeFresh, page.named("ctl.again"), 0, tall ? std::optional<Icon>() : Icon::kAgain);
     page.token(page.mirrored({0.5F * width + 14.0F, y, button, 84.0F}), Look::kPrimary, Button::kResumeGo,
-               page.t("resume.go"));
+               page.named("resume.go"));
 }
 
 void draw_fault(Page& page) {
@@ -320,6 +326,9 @@ void press_language(Turn& turn, const event::Pressed& event) {
             break;
         case Button::kStill:
             comfort.still = !comfort.still;
+            break;
+        case Button::kSpeech:
+            if (turn.rules.offers_speech) comfort.speech = !comfort.speech;
             break;
         case Button::kComfortDone:
         case Button::kLanguages:

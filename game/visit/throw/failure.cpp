@@ -9,19 +9,6 @@ namespace {
 
 using ui::Rect;
 
-const char* why_of(Warning collapse) {
-    switch (collapse) {
-        case Warning::kWet:
-            return "fail.why.wet";
-        case Warning::kFast:
-            return "fail.why.fast";
-        case Warning::kThin:
-        case Warning::kNone:
-            break;
-    }
-    return "fail.why";
-}
-
 void draw_failure(Page& page) {
     const float width = page.width();
     const auto night = [](float alpha) { return design::kNight.with_alpha(alpha); };
@@ -34,7 +21,7 @@ void draw_failure(Page& page) {
         {60.0F, 18.0F, width - 120.0F, 76.0F},
         {.text = page.t("fail.title"), .type = design::serif(50.0F, 66.0F), .align = ui::Align::kCentre});
     page.words({60.0F, 20.0F + title, width - 120.0F, deep - 16.0F - title},
-               {.text = page.t(why_of(page.view().state.throwing.collapse)),
+               {.text = page.t(failure_key(page.view().state.throwing.collapse)),
                 .type = design::kBody,
                 .colour = design::kSlip3,
                 .align = ui::Align::kCentre});
@@ -49,9 +36,9 @@ void draw_failure(Page& page) {
         const float left = 0.5F * (width - 3.0F * button - 2.0F * gap);
         return page.mirrored({left + static_cast<float>(i) * (button + gap), y + 36.0F, button, 80.0F});
     };
-    page.token(place(0), Look::kOutline, Button::kKeepSlump, page.t("fail.keep"));
-    page.token(place(1), Look::kToken, Button::kNewClay, page.t("ctl.again"), 0, Icon::kAgain);
-    page.token(place(2), Look::kPrimary, Button::kBeforeCollapse, page.t("fail.undo"), 0, Icon::kUndo);
+    page.token(place(0), Look::kOutline, Button::kKeepSlump, page.named("fail.keep"));
+    page.token(place(1), Look::kToken, Button::kNewClay, page.named("ctl.again"), 0, Icon::kAgain);
+    page.token(place(2), Look::kPrimary, Button::kBeforeCollapse, page.named("fail.undo"), 0, Icon::kUndo);
 }
 
 void press_failure(Turn& turn, const event::Pressed& event) {

@@ -43,6 +43,13 @@ constexpr std::array kTray{
     return question == DoneQuestion::kSolid ? "solid.ask" : "thick.ask";
 }
 
+// The key of the reason for a collapse.
+[[nodiscard]] constexpr std::string_view failure_key(Warning collapse) {
+    return collapse == Warning::kWet    ? "fail.why.wet"
+           : collapse == Warning::kFast ? "fail.why.fast"
+                                        : "fail.why";
+}
+
 // Returns whether the cue for the next move is visible now.
 [[nodiscard]] bool shows_hint(const State& state, double now_s, const Rules& rules);
 

@@ -39,7 +39,7 @@ void add_lines(Page& page, const Rect& place, const std::string& title, const st
 }
 
 void add_back(Page& page, const Rect& place) {
-    page.token(page.on_ledge(place), Look::kOutline, Button::kTools, page.t("ctl.back"));
+    page.token(page.on_ledge(place), Look::kOutline, Button::kTools, page.named("ctl.back"));
 }
 
 constexpr std::array kStepIcons{Icon::kStepPress, Icon::kStepOpen, Icon::kStepRaise};
@@ -132,7 +132,7 @@ void controls(Page& page) {
         add_round(page, {32.0F, below, 84.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 120.0F);
         add_round(page, {156.0F, below, 84.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 120.0F);
         page.token(page.on_ledge({width - 300.0F, below, 268.0F, 80.0F}), done_look, Button::kDone,
-                   page.t(done_key), 0, is_jar ? std::nullopt : std::optional(Icon::kDone));
+                   page.named(done_key), 0, is_jar ? std::nullopt : std::optional(Icon::kDone));
         add_held_token(page, {32.0F, y, 116.0F, 66.0F}, 164.0F);
         add_stepper(page, {278.0F, y, 164.0F, 66.0F}, water, false);
         add_stepper(page, {width - 196.0F, y, 164.0F, 66.0F}, speed, false);
@@ -143,7 +143,7 @@ void controls(Page& page) {
         add_round(page, {153.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
         add_round(page, {255.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
         page.token(page.on_ledge({width - 152.0F, y, 132.0F, 66.0F}), done_look, Button::kDone,
-                   page.t(done_key));
+                   page.named(done_key));
         add_held_token(page, {352.0F, y, 100.0F, 66.0F}, 116.0F);
         add_stepper(page, {width - 500.0F, y, 164.0F, 66.0F}, water, false);
         add_stepper(page, {width - 328.0F, y, 164.0F, 66.0F}, speed, false);
@@ -153,11 +153,12 @@ void controls(Page& page) {
         add_round(page, {290.0F, y, 84.0F, 66.0F}, Icon::kShow, Button::kShowMe, "show.me", 120.0F);
     } else {
         page.token(page.on_ledge({232.0F, y, 172.0F, 66.0F}), Look::kToken, Button::kShowMe,
-                   page.t("show.me"), 0, Icon::kShow);
+                   page.named("show.me"), 0, Icon::kShow);
     }
     add_round(page, {416.0F, y, 70.0F, 66.0F}, Icon::kAgain, Button::kNewClay, "ctl.again", 112.0F);
     add_round(page, {518.0F, y, 70.0F, 66.0F}, Icon::kUndo, Button::kUndo, "ctl.undo", 96.0F);
-    page.token(page.on_ledge({width - 188.0F, y, 156.0F, 66.0F}), done_look, Button::kDone, page.t(done_key));
+    page.token(page.on_ledge({width - 188.0F, y, 156.0F, 66.0F}), done_look, Button::kDone,
+               page.named(done_key));
     add_held_token(page, {width - 668.0F, y, 116.0F, 66.0F}, 132.0F);
     add_stepper(page, {width - 524.0F, y, 156.0F, 66.0F}, water, false);
     add_stepper(page, {width - 356.0F, y, 156.0F, 66.0F}, speed, false);
@@ -174,7 +175,7 @@ void show_controls(Page& page) {
                      .colour = design::kSlip3,
                      .align = along_ledge(page)};
     const auto my_turn = [&](const Rect& place) {
-        page.token(page.on_ledge(place), Look::kPrimary, Button::kMyTurn, page.t("show.mine"), 0,
+        page.token(page.on_ledge(place), Look::kPrimary, Button::kMyTurn, page.named("show.mine"), 0,
                    Icon::kHand);
     };
     if (page.is_tall()) {
@@ -393,8 +394,8 @@ void add_wire_ledge(Page& page) {
         }
     };
     const auto cut_or_end = [&](const Rect& cut, const Rect& done) {
-        page.token(page.on_ledge(cut), Look::kPrimary, Button::kCut, page.t("wire.cut"));
-        page.token(page.on_ledge(done), Look::kToken, Button::kDone, page.t("ctl.done"));
+        page.token(page.on_ledge(cut), Look::kPrimary, Button::kCut, page.named("wire.cut"));
+        page.token(page.on_ledge(done), Look::kToken, Button::kDone, page.named("ctl.done"));
     };
     switch (page.shape()) {
         case Shape::kWide:
@@ -432,8 +433,9 @@ void add_question_ledge(Page& page) {
     const float top = ledge_top(page);
     const float y = row_y(page);
     const auto tokens = [&](const Rect& back, const Rect& done) {
-        page.token(page.on_ledge(back), Look::kPrimary, Button::kToWheel, page.t("ask.back"), 0, Icon::kHand);
-        page.token(page.on_ledge(done), Look::kToken, Button::kDone, page.t("ctl.done"));
+        page.token(page.on_ledge(back), Look::kPrimary, Button::kToWheel, page.named("ask.back"), 0,
+                   Icon::kHand);
+        page.token(page.on_ledge(done), Look::kToken, Button::kDone, page.named("ctl.done"));
     };
     switch (page.shape()) {
         case Shape::kWide:

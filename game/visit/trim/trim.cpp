@@ -103,11 +103,11 @@ void draw_trim(Page& page) {
     const Setting speed = speed_setting(view.state.throwing);
     const auto leave = [&](const Rect& place) {
         if (trimming.touched) return;
-        page.token(page.on_ledge(place), Look::kOutline, Button::kSkip, page.t("trim.auto"));
+        page.token(page.on_ledge(place), Look::kOutline, Button::kSkip, page.named("trim.auto"));
     };
     const auto done = [&](const Rect& place) {
         page.token(page.on_ledge(place), trimming.touched ? Look::kPrimary : Look::kToken, Button::kDone,
-                   page.t("ctl.done"));
+                   page.named("ctl.done"));
     };
     switch (page.shape()) {
         case Shape::kWide:

@@ -102,16 +102,37 @@ TEST(SystemProbes, ReportTheKiosksSettingsOrTheirAbsence) {
                    "[gallery]\nleast_free_mb = 1\nfolder = \"" +
                        gallery + "\"\n");
     const std::vector<Finding> usual = probe_settings("", file);
-    ASSERT_EQ(usual.size(), 2U);
+    ASSERT_EQ(usual.size(), 3U);
     EXPECT_EQ(usual[0].verdict, Verdict::kGood);
     EXPECT_EQ(usual[0].found, file +
                                   ": visits begin in ko, of ko, en; unforgiving clay; a PIN for the staff; "
                                   "locked; open 09:30 to 17:05");
     EXPECT_EQ(usual[0].found.find("1234"), std::string::npos) << "a PIN is private";
-    EXPECT_EQ(usual[1].subject, "gallery");
-    EXPECT_EQ(usual[1].verdict, Verdict::kGood) << usual[1].found;
-    EXPECT_NE(usual[1].found.find(gallery), std::string::npos);
+    EXPECT_EQ(usual[1].subject, "speech");
+    EXPECT_NE(usual[1].verdict, Verdict::kLacking) << "nothing asks for it";
+    EXPECT_EQ(usual[2].subject, "gallery");
+    EXPECT_EQ(usual[2].verdict, Verdict::kGood) << usual[2].found;
+    EXPECT_NE(usual[2].found.find(gallery), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder / "not")) << "it only looks";
+}
+
+TEST(SystemProbes, MissTheSpeechThatTheSettingsAskFor) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "kiosk.toml";
+    const auto speech = [&](const std::string& setting) {
+        test::put_file(file, "[sound]\nspeech = \"" + setting + "\"\n");
+        for (const Finding& finding : probe_settings(file))
+            if (finding.subject == "speech") return finding;
+        return Finding{};
+    };
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", folder.path().c_str(), 1);
+    const Finding asked = speech("on");
+    EXPECT_EQ(asked.verdict, Verdict::kLacking) << asked.found;
+    EXPECT_NE(asked.remedy.find("espeak-ng"), std::string::npos);
+    EXPECT_EQ(speech("headphones").verdict, Verdict::kNote);
+    EXPECT_EQ(speech("off").found, "off");
+    ::setenv("PATH", path.c_str(), 1);
 }
 
 TEST(SystemProbes, ReportErrorsInTheKiosksSettings) {

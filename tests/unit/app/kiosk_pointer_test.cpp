@@ -123,6 +123,25 @@ TEST_F(KioskPointer, EndsASecondFingerThatLeavesOrLiesStill) {
     EXPECT_EQ(count(Kind::kSecondMoved), 0) << "its press was not seen";
 }
 
+TEST_F(KioskPointer, LetsTheScanWaitForAVoice) {
+    finger.types(window::Key::kSpace);
+    EXPECT_EQ(finger.pointer.focus(), 0);
+    finger.pointer.hold_scan(true);
+    finger.waits(10.0);
+    EXPECT_EQ(finger.pointer.focus(), 0) << "its name is being said";
+    finger.pointer.hold_scan(false);
+    finger.waits(1.2);
+    EXPECT_EQ(finger.pointer.focus(), 0) << "time to press";
+    finger.waits(0.4);
+    EXPECT_EQ(finger.pointer.focus(), 1);
+}
+
+TEST_F(KioskPointer, TakesTheQuestionWhereOneIsAsNoOtherKey) {
+    finger.types(window::Key::kW);
+    EXPECT_TRUE(finger.said(Kind::kWhere));
+    EXPECT_FALSE(finger.said(Kind::kLife)) << "it ends no demonstration";
+}
+
 TEST_F(KioskPointer, PressesOnReleaseOverTheSameTarget) {
     finger.moves(150, 630).presses();
     EXPECT_EQ(finger.pointer.pressed(), 0);

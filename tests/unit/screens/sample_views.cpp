@@ -406,6 +406,11 @@ void add_last_views(const Samples& add) {
         view.state.panel = kiosk::Panel::kLanguage;
         view.state.comfort.still = true;
     });
+    add("language-speech", Screen::kThrow, [](View& view) {
+        view.state.panel = kiosk::Panel::kLanguage;
+        view.state.comfort.speech = true;
+        view.offers_speech = true;
+    });
 }
 
 void add_pin_views(const Samples& add) {

@@ -48,6 +48,8 @@ std::vector<Event> events_with(int value) {
             event::Shared{1, outcome},
             event::Device{yes},
             event::Force{yes},
+            event::Headphones{yes},
+            event::Spoken{yes},
             event::Fault{},
             event::FaultOver{},
             event::InterruptedSession{jar},

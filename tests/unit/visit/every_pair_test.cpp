@@ -47,10 +47,11 @@ const std::string kClosesStaff =
     "attract, "
     "attract+staff -> attract, attract-left+pin -> attract-left, attract-left+staff -> attract-left";
 
+Happening at_once(const char* name, const Event& event, const char* rules) {
+    return {name, event, 0.0, rules};
+}
+
 std::vector<Happening> events() {
-    const auto at_once = [](const char* name, const Event& event, const char* rules) {
-        return Happening{name, event, 0.0, rules};
-    };
     const auto tick = [](const char* name, double after_s, const std::string& rules) {
         return Happening{name, event::Tick{}, after_s, rules};
     };
@@ -109,6 +110,9 @@ std::vector<Happening> events() {
         at_once("device back", event::Device{.is_there = true}, ""),
         at_once("force rests", event::Force{.rests = true}, ""),
         at_once("force back", event::Force{.rests = false}, ""),
+        at_once("headphones in", event::Headphones{.are_in = true}, ""),
+        at_once("headphones out", event::Headphones{.are_in = false}, ""),
+        at_once("spoken", event::Spoken{.speaks = true}, ""),
         at_once(
             "fault", event::Fault{},
             "any -> fault, attract+language -> fault, attract-left+language -> fault, "

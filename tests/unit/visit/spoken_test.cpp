@@ -72,5 +72,43 @@ TEST(Spoken, HasWordsInEveryLanguageForAllItSays) {
     }
 }
 
+TEST(Spoken, BeginsWithHeadphonesUntilTheVisitorSaysOtherwise) {
+    Visitor visitor({.offers_speech = true});
+    EXPECT_FALSE(visitor.state.comfort.speech);
+    visitor.does(event::Headphones{true});
+    EXPECT_TRUE(visitor.state.comfort.speech);
+    EXPECT_EQ(visitor.state.screen, Screen::kAttract) << "they begin no visit";
+    visitor.does(event::Input{}).presses(Button::kLanguages).presses(Button::kSpeech);
+    EXPECT_FALSE(visitor.state.comfort.speech);
+    visitor.presses(Button::kComfortDone).waits(70.0);
+    EXPECT_EQ(visitor.state.screen, Screen::kAttract);
+    EXPECT_TRUE(visitor.state.comfort.speech) << "the next visitor has them on";
+    visitor.does(event::Headphones{false});
+    EXPECT_FALSE(visitor.state.comfort.speech);
+}
+
+TEST(Spoken, IsOfferedAndBegunOnlyWhereThereIsAVoice) {
+    Visitor without;
+    without.does(event::Headphones{true}).does(event::Input{}).presses(Button::kLanguages);
+    EXPECT_FALSE(without.presses(Button::kSpeech).state.comfort.speech);
+    Visitor always({.offers_speech = true, .speaks = true});
+    EXPECT_TRUE(always.state.comfort.speech);
+}
+
+TEST(Spoken, TakesTimeThatDoesNotCountAsIdleWithinBounds) {
+    Visitor visitor;
+    visitor.starts_to_throw().does(event::Spoken{true}).waits(100.0);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone) << "somebody listens";
+    visitor.does(event::Spoken{false}).waits(40.0);
+    EXPECT_EQ(visitor.state.panel, Panel::kNone);
+    visitor.waits(10.0);
+    EXPECT_EQ(visitor.state.panel, Panel::kIdle);
+    Visitor left;
+    left.starts_to_throw().does(event::Spoken{true}).waits(180.0 + 44.0);
+    EXPECT_EQ(left.state.panel, Panel::kNone);
+    left.waits(3.0);
+    EXPECT_EQ(left.state.panel, Panel::kIdle) << "a scan goes on for ever";
+}
+
 }  // namespace
 }  // namespace onggi::visit

@@ -144,8 +144,8 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
     using window::Key;
     if (!is_pressed(key, now_s)) return;
     // A press is not reported as kLife, which could close the panel that it is meant for.
-    const bool takes =
-        key.key == Key::kF1 || ((key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0);
+    const bool takes = key.key == Key::kF1 || key.key == Key::kW ||
+                       ((key.key == Key::kEnter || key.key == Key::kSpace) && focus_ >= 0);
     if (!takes && !key.repeat) news.push_back({.kind = Kind::kLife, .value = 1});
     const auto nudge = [&](kiosk::Button to) { news.push_back({Kind::kNudged, to, 0, {}, !key.repeat}); };
     switch (key.key) {
@@ -208,8 +208,9 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
         case Key::kV:
             if (!key.repeat) news.push_back({Kind::kPressed, kiosk::Button::kForces, 0, {}});
             return;
+        case Key::kW:
         case Key::kPause:
-            if (!key.repeat) news.push_back({.kind = Kind::kStopForce});
+            if (!key.repeat) news.push_back({.kind = key.key == Key::kW ? Kind::kWhere : Kind::kStopForce});
             return;
         case Key::kF:
         case Key::kF11:
@@ -370,7 +371,7 @@ void KioskPointer::pass_time(double now_s, std::vector<PointerNews>& news) {
         corner_s_.reset();
         news.push_back({.kind = Kind::kCornerHeld});
     }
-    if (scan_is_new_) scan_s_ = now_s;
+    if (scan_is_new_ || scan_waits_) scan_s_ = now_s;
     scan_is_new_ = false;
     if (scans_ && now_s - scan_s_ >= kScanEveryS) {
         scan_s_ = now_s;

@@ -32,6 +32,7 @@ struct PointerNews {
         kCloseAsked,
         kFullScreen,
         kStopForce,
+        kWhere,  // what the visitor by ear is at, and the state of the clay
     };
     Kind kind = Kind::kNone;
     kiosk::Button button = kiosk::Button::kNone;
@@ -59,6 +60,8 @@ class KioskPointer {
         if (!scans_) focus_ = -1;
     }
     [[nodiscard]] bool scans() const { return scans_; }
+    // The scan waits while a voice speaks, and from its end on for as long as on any target.
+    void hold_scan(bool waits) { scan_waits_ = waits; }
     [[nodiscard]] vec2 at_px() const { return at_px_; }
     // Whether a finger is on the scene, beside all targets. It ends if the finger leaves the window, does not
     // move for a minute, a second button is pressed, or the window loses focus.
@@ -124,6 +127,7 @@ class KioskPointer {
     Meaning focus_meaning_{};
     bool scans_ = false;
     double scan_s_ = 0.0;
+    bool scan_waits_ = false;
     bool scan_is_new_ = false;  // another screen: the scan restarts
 };
 

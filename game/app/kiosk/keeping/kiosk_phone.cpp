@@ -73,7 +73,7 @@ Result<void> KioskFilm::begin(const std::filesystem::path& session, const std::s
                                    "--seconds",
                                    fmt::format("{}", kSeconds)};
     if (!credit.empty()) words.push_back("--credit=" + credit);
-    auto maker = jobs::IdleProcess::start(std::move(words));
+    auto maker = jobs::ChildProcess::start(std::move(words));
     if (!maker) return system_lacks("film: " + maker.error().message);
     maker_.emplace(std::move(*maker));
     return {};

@@ -15,7 +15,7 @@
 
 #include "engine/asset/about.h"
 #include "engine/core/result.h"
-#include "engine/jobs/idle_process.h"
+#include "engine/jobs/child_process.h"
 #include "engine/jobs/io_thread.h"
 #include "engine/jobs/message_queue.h"
 #include "game/app/kiosk/health/kiosk_statistics.h"
@@ -74,7 +74,7 @@ class KioskFilm {
 
     std::filesystem::path program_;
     std::filesystem::path folder_;
-    std::optional<jobs::IdleProcess> maker_;
+    std::optional<jobs::ChildProcess> maker_;
 };
 
 // A shared pot, for the staff.

@@ -120,13 +120,11 @@ double thinnest_wall_mm(const pot::Pot& shape) {
     return thinnest;
 }
 
-int thick_wall_mm(const pot::Pot& shape) {
+AcrossWall across_wall(const pot::Pot& shape) {
     constexpr double kFromMm = 6.0;  // above the floor, where a wall is thick by nature
     constexpr double kStepMm = 2.0;
-    constexpr double kThickestMm = 15.0;  // for a kilogram
-    constexpr double kMeanMm = 10.0;
     const double top_mm = shape.height_mm - kStepMm;  // above it is the round of the lip
-    double thickest_mm = 0.0;
+    AcrossWall across;
     double sum_mm = 0.0;
     int count = 0;
     for (double y_mm = shape.floor_mm + kFromMm; !is_solid(shape) && y_mm < top_mm; y_mm += kStepMm) {
@@ -136,13 +134,21 @@ int thick_wall_mm(const pot::Pot& shape) {
         const double aside_mm = 0.5 * (high.outer_mm + high.inner_mm - low.outer_mm - low.inner_mm);
         const double lean = aside_mm / (2.0 * kStepMm);
         const double across_mm = (wall.outer_mm - wall.inner_mm) / std::hypot(1.0, lean);
-        thickest_mm = std::max(thickest_mm, across_mm);
+        across.thickest_mm = std::max(across.thickest_mm, across_mm);
         sum_mm += across_mm;
         ++count;
     }
+    if (count > 0) across.mean_mm = sum_mm / count;
+    return across;
+}
+
+int thick_wall_mm(const pot::Pot& shape) {
+    constexpr double kThickestMm = 15.0;  // for a kilogram
+    constexpr double kMeanMm = 10.0;
+    const AcrossWall across = across_wall(shape);
     const double size = std::cbrt(volume_mm3(shape) / kKilogramMm3);
-    const bool is_thick = thickest_mm > kThickestMm * size || sum_mm > kMeanMm * size * count;
-    return is_thick ? static_cast<int>(std::lround(thickest_mm)) : 0;
+    const bool is_thick = across.thickest_mm > kThickestMm * size || across.mean_mm > kMeanMm * size;
+    return is_thick ? static_cast<int>(std::lround(across.thickest_mm)) : 0;
 }
 
 screens::FiredPot fired_pot(const clay::StudioClay& clay, const std::vector<heritage::Target>& targets,

@@ -41,8 +41,15 @@ class Lesson {
 // Thickness of the thinnest wall above the floor; 0 for solid clay.
 [[nodiscard]] double thinnest_wall_mm(const pot::Pot& shape);
 
-// The thickest wall, across its lean, from a little above the floor to the rim, in whole mm, if it or the
-// mean is too thick for a pot of that much clay; 0 if not, or for solid clay.
+// The wall from a little above the floor to the rim, across its lean; zeros for solid clay.
+struct AcrossWall {
+    double thickest_mm = 0.0;
+    double mean_mm = 0.0;
+};
+[[nodiscard]] AcrossWall across_wall(const pot::Pot& shape);
+
+// The thickest wall in whole mm, if it or the mean is too thick for a pot of that much clay; 0 if not, or for
+// solid clay.
 [[nodiscard]] int thick_wall_mm(const pot::Pot& shape);
 
 // Returns the pot as it comes out of the kiln and, as its relative, the museum's pot that it was thrown after

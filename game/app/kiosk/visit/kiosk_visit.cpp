@@ -103,6 +103,7 @@ Result<void> KioskVisit::frame(double now_s) {
     scene_.aim_camera(state_, jar_.height_mm(moment.snapshot), screens_.asked(), stage_.covers());
     screens_.update(state_, moment, scene_.edges(), wheel_.finger().wire_mm());
     const Result<void> drawn = is_worth_drawing() ? draw(moment) : Result<void>{};
+    speak(moment);
     moment_ = nullptr;
     return drawn;
 }
@@ -173,6 +174,38 @@ void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
     const auto language = static_cast<std::size_t>(state.comfort.language);
     const bool right_to_left = (*shown->view->languages)[language].right_to_left();
     input_.pointer().look_at(&shown->composition, screen_key(state), right_to_left);
+}
+
+void KioskVisit::speak(const VisitMoment& moment) {
+    if (parts_.voice == nullptr) return;
+    KioskVoice& voice = *parts_.voice;
+    const bool asks_where = input_.take_question();
+    if (voice.headphones_are_in() != state_.headphones)
+        dispatch(kiosk::event::Headphones{!state_.headphones});
+    const screens::Composed* shown = stage_.shown();
+    const bool speaks = state_.comfort.speech && voice.can_synthesise();
+    std::vector<SaidLine> lines;
+    if (is_closed() || shown == nullptr || !(speaks || voice.has_recordings())) {
+        narrator_.forget();
+        voice.hush();
+    } else if (speaks) {
+        lines = narrator_.look({.shown = *shown,
+                                .focus = input_.pointer().focus(),
+                                .marker = marker_place(wheel_.finger().marker_mm(), *moment.snapshot.pot),
+                                .snapshot = moment.snapshot,
+                                .now_s = moment.now_s,
+                                .is_quiet = !voice.speaks(),
+                                .asks_where = asks_where});
+    } else {
+        lines = narrator_.look_for_recordings(*shown->view);
+    }
+    for (SaidLine& line : lines)
+        voice.say(std::move(line));
+    voice.pass_time(moment.now_s);
+    parts_.sound.say(voice.line());
+    input_.pointer().hold_scan(speaks && voice.speaks());
+    if (voice.speaks() != state_.speaks) dispatch(kiosk::event::Spoken{voice.speaks()});
+    if (const std::string line = voice.news(); !line.empty()) warn("voice: " + line);
 }
 
 // The window's title tells scripted visitors the state of the clay, which they cannot see. In full screen it

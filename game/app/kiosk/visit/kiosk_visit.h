@@ -6,6 +6,7 @@
 #include <string>
 
 #include "game/app/kiosk/staff/staff_desk.h"
+#include "game/app/kiosk/visit/narrator.h"
 #include "game/app/kiosk/visit/visit_effects.h"
 #include "game/app/kiosk/visit/visit_input.h"
 #include "game/app/kiosk/visit/visit_parts.h"
@@ -53,6 +54,8 @@ class KioskVisit final : private VisitFlow {
     Result<void> draw(const VisitMoment& moment);
     [[nodiscard]] bool is_worth_drawing();
     void look_at_shown(const haptic::Snapshot& snapshot);
+    // What a visitor by ear is told of this frame.
+    void speak(const VisitMoment& moment);
     void name_window(const kiosk::ScreenState& shown, double clay_mm);
 
     VisitParts parts_;
@@ -67,6 +70,7 @@ class KioskVisit final : private VisitFlow {
     VisitScene scene_;
     VisitScreens screens_;
     screens::Stage stage_;
+    Narrator narrator_;
     LogLines log_;
     const VisitMoment* moment_ = nullptr;  // of the present frame; null outside frame()
     double now_s_ = 0.0;

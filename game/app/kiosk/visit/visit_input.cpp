@@ -220,6 +220,10 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kStopForce:
             parts_.job.stop_force();
             break;
+        case PointerNews::Kind::kWhere:
+            asks_where_ = true;
+            flow_.dispatch(event::Input{});
+            break;
         case PointerNews::Kind::kFullScreen:
             if (parts_.settings.rules.locked) break;
             full_screen_ = !full_screen_;

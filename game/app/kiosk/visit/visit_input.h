@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "game/app/devices/gamepad_finger.h"
@@ -43,6 +44,8 @@ class VisitInput {
     // Whether a key or pad button was pressed since the last pointer motion.
     [[nodiscard]] bool keys_lead() const { return keys_lead_; }
     void lead_by_keys() { keys_lead_ = true; }
+    // Whether the visitor has asked where they are since the last call.
+    [[nodiscard]] bool take_question() { return std::exchange(asks_where_, false); }
     // Whether a mouse without a pressed button has moved recently.
     [[nodiscard]] bool hovers(double now_s) const;
     // Whether a person has just changed a control of the device that has the tool. Without that, a touch of
@@ -78,6 +81,7 @@ class VisitInput {
     GamepadFinger gamepads_;
     double hovered_s_ = -1e9;  // time of the last mouse motion without a button
     bool keys_lead_ = false;
+    bool asks_where_ = false;
     bool had_device_ = false;
     std::string holder_;  // the device with the tool
     double device_lived_s_ = -1e9;

@@ -10,6 +10,7 @@
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/presentation/demonstrations.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
+#include "game/app/kiosk/presentation/kiosk_voice.h"
 #include "game/app/kiosk/staff/kiosk_staff.h"
 #include "game/app/system/start_log.h"
 #include "game/haptic/job.h"
@@ -31,6 +32,7 @@ struct VisitParts {
     KioskKeeper& keeper;
     KioskPhone* phone = nullptr;  // null without sharing
     KioskSound& sound;
+    KioskVoice* voice = nullptr;  // null: nothing is spoken
     const KioskSettings& settings;
     const Show& show;
     StartReport start{};                                      // earlier crashes, for the staff

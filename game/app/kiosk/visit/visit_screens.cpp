@@ -64,6 +64,7 @@ void VisitScreens::update(const kiosk::State& state, const VisitMoment& moment, 
     if (state.screen == kiosk::Screen::kResume) view.left_over = effects_.left_over();
     view.phone = effects_.phone_way();
     view.has_wall = parts_.settings.rules.has_wall;
+    view.offers_speech = parts_.settings.rules.offers_speech;
     add_shelf(view, state);
     view.focus = pointer_.focus();
     view.scans = pointer_.scans();

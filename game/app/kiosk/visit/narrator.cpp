@@ -1,0 +1,219 @@
+#include "game/app/kiosk/visit/narrator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "game/app/kiosk/presentation/kiosk_pot.h"
+#include "game/visit/steps.h"
+#include "game/visit/throw/throw.h"
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Panel;
+using kiosk::Screen;
+
+constexpr double kClayEveryS = 4.0;
+// Changes of the clay that are worth a word.
+constexpr int kHighMm = 8;
+constexpr int kWallMm = 3;
+constexpr int kLoadPercent = 10;
+constexpr int kMuchLoadPercent = 60;
+constexpr int kSoonS = 10;  // before the end of the idle countdown, which is told once more
+
+bool ends_a_sentence(const std::string& text) {
+    return !text.empty() && std::string_view(".!?").find(text.back()) != std::string_view::npos;
+}
+
+void append(std::string& text, const std::string& more) {
+    if (!text.empty()) text += ends_a_sentence(text) ? " " : ", ";
+    text += more;
+}
+
+std::string whole(double value) {
+    return fmt::format("{:.0f}", value);
+}
+
+const kiosk::Language& language_of(const screens::View& view) {
+    const auto place = static_cast<std::size_t>(std::max(0, view.state.comfort.language));
+    return (*view.languages)[std::min(place, view.languages->size() - 1)];
+}
+
+bool throws_clay(const kiosk::ScreenState& state) {
+    return state.screen == Screen::kThrow && state.panel == Panel::kNone;
+}
+
+}  // namespace
+
+MarkerPlace marker_place(const std::optional<dvec2>& marker_mm, const pot::Pot& shape) {
+    constexpr double kNearMm = 0.5;
+    if (!marker_mm) return MarkerPlace::kNone;
+    if (std::abs(marker_mm->x) < kNearMm) return MarkerPlace::kMiddle;
+    return marker_mm->y > shape.height_mm - kNearMm ? MarkerPlace::kRim : MarkerPlace::kWall;
+}
+
+void Narrator::say(std::string_view key, std::string text, bool is_urgent) {
+    if (text.empty()) return;
+    due_.push_back({.language = language_->code(),
+                    .key = std::string(key),
+                    .text = std::move(text),
+                    .is_urgent = is_urgent});
+}
+
+void Narrator::say(std::string_view key) {
+    if (!key.empty()) say(key, language_->spoken(key));
+}
+
+bool Narrator::tell_line(const screens::View& view, bool again) {
+    kiosk::State state;
+    static_cast<kiosk::ScreenState&>(state) = view.state;
+    const std::string_view key = visit::spoken_key(state);
+    const bool is_soon = view.state.panel == Panel::kIdle && view.seconds_left <= kSoonS;
+    const std::string line = fmt::format("{}/{}/{}", language_->code(), key, is_soon);
+    if (line == told_line_ && !again) return false;
+    told_line_ = line;
+    if (!key.empty())
+        say(key, kiosk::filled_in(language_->spoken(key), std::to_string(view.seconds_left)), true);
+    return true;
+}
+
+void Narrator::tell_pot(const screens::FiredPot& pot) {
+    const auto measure = [&](std::string_view key, const std::string& number, std::string_view unit_key) {
+        return fmt::format("{} {} {}", language_->spoken(key), number, language_->spoken(unit_key));
+    };
+    std::string all = measure("your.h", whole(pot.height_mm), "unit.mm");
+    append(all, measure("your.w", whole(pot.width_mm), "unit.mm"));
+    append(all, measure("your.wt", whole(pot.weight_g), "unit.g"));
+    append(all, measure("your.cap", fmt::format("{:.1f}", pot.capacity_l), "unit.l"));
+    say({}, std::move(all));
+    say(pot.good_key);
+    say(pot.next_key);
+}
+
+// What a screen shows beside its title, for those who cannot look.
+void Narrator::tell_more(const screens::View& view) {
+    const kiosk::ScreenState& state = view.state;
+    if (state.panel == Panel::kCard) {
+        const auto place = static_cast<std::size_t>(std::max(0, state.card));
+        const bool is_on_shelf = state.card >= 0 && place < view.exhibits->size();
+        const std::shared_ptr<const screens::ExhibitCard> card =
+            is_on_shelf ? (*view.exhibits)[place].card : nullptr;
+        const auto language = static_cast<std::size_t>(language_ - view.languages->data());
+        if (card && language < card->lines.size())
+            for (const std::string& line : card->lines[language])
+                say({}, line);
+    }
+    if (state.panel != Panel::kNone) return;
+    if (state.screen == Screen::kChoose && !std::exchange(has_told_keys_, true)) say("ear.keys");
+    if (state.screen == Screen::kThrow && !std::exchange(has_told_hand_, true)) say("ear.hand");
+    if (state.screen == Screen::kFailure) say(visit::failure_key(state.throwing.collapse));
+    if (state.screen == Screen::kYourPot && view.pot) tell_pot(*view.pot);
+    if (state.screen == Screen::kKeep && state.keeping.outcome == kiosk::Keeping::Outcome::kKept) {
+        say({}, kiosk::filled_in(language_->spoken("keep.no"), std::to_string(state.keeping.number)));
+        if (state.keeping.phone == kiosk::Phone::kReady && view.phone) {
+            std::string letters;  // each by itself
+            for (const char letter : view.phone->code)
+                if (std::isalnum(static_cast<unsigned char>(letter)) != 0) append(letters, {letter});
+            say({}, std::move(letters));
+        }
+    }
+}
+
+void Narrator::tell_focus(const Hearing& now, bool is_after_line) {
+    const auto& targets = now.shown.composition.targets;
+    const auto count = static_cast<int>(targets.size());
+    const int focus = now.focus < count ? now.focus : -1;
+    const std::string name = focus >= 0 ? targets[static_cast<std::size_t>(focus)].spoken : std::string();
+    const bool is_new = focus != told_focus_ || name != told_target_;
+    told_focus_ = focus;
+    told_target_ = name;
+    if (focus < 0 || !(is_new || now.asks_where)) return;
+    const screens::Target& target = targets[static_cast<std::size_t>(focus)];
+    std::string text = name;
+    append(text, kiosk::filled_in(language_->spoken("ear.place"), std::to_string(focus + 1),
+                                  std::to_string(count)));
+    say(target.key, std::move(text), !is_after_line);
+    // A language is named by its own voice.
+    const auto place = static_cast<std::size_t>(std::max(0, target.value));
+    const auto& languages = *now.shown.view->languages;
+    if (target.button == kiosk::Button::kLanguage && place < languages.size()) {
+        due_.back().language = languages[place].code();
+        due_.back().text = name;
+    }
+}
+
+Narrator::Clay Narrator::clay_of(const haptic::Snapshot& snapshot) {
+    const pot::Pot& shape = *snapshot.pot;
+    const auto tens = 10 * static_cast<int>(std::lround(10.0 * std::clamp(snapshot.load.index, 0.0, 1.0)));
+    return {.is_solid = is_solid(shape),
+            .high_mm = static_cast<int>(std::lround(shape.height_mm)),
+            .wall_mm = static_cast<int>(std::lround(across_wall(shape).thickest_mm)),
+            .load_percent = tens >= kMuchLoadPercent ? tens : 0};
+}
+
+// One sentence, of what has changed by more than little.
+void Narrator::tell_clay(const Hearing& now) {
+    if (!throws_clay(now.shown.view->state)) {
+        told_clay_.reset();
+        told_marker_ = MarkerPlace::kNone;
+        return;
+    }
+    const MarkerPlace before = std::exchange(told_marker_, now.marker);
+    if (now.marker != before && now.marker == MarkerPlace::kRim)
+        say("ear.rim", language_->spoken("ear.rim"), true);
+    if (now.marker != before && now.marker == MarkerPlace::kMiddle)
+        say("ear.middle", language_->spoken("ear.middle"), true);
+    const Clay clay = clay_of(now.snapshot);
+    if (!told_clay_) told_clay_ = clay;
+    Clay& told = *told_clay_;
+    const bool is_due = now.is_quiet && due_.empty() && now.now_s - clay_s_ >= kClayEveryS;
+    if (!is_due && !now.asks_where) return;
+    std::string text;
+    const auto add = [&](bool has_changed, std::string_view key, int n) {
+        if (has_changed || now.asks_where)
+            append(text, kiosk::filled_in(language_->spoken(key), std::to_string(n)));
+        return has_changed || now.asks_where;
+    };
+    if (add(clay.is_solid != told.is_solid, clay.is_solid ? "ear.solid" : "ear.open", 0))
+        told.is_solid = clay.is_solid;
+    constexpr int kMmPerCm = 10;
+    if (add(std::abs(clay.high_mm - told.high_mm) >= kHighMm, "ear.high",
+            static_cast<int>(std::lround(static_cast<double>(clay.high_mm) / kMmPerCm))))
+        told.high_mm = clay.high_mm;
+    if (!clay.is_solid && add(std::abs(clay.wall_mm - told.wall_mm) >= kWallMm, "ear.wall", clay.wall_mm))
+        told.wall_mm = clay.wall_mm;
+    const bool is_heavier = clay.load_percent >= told.load_percent + kLoadPercent;
+    if (clay.load_percent > 0 && add(is_heavier, "ear.load", clay.load_percent))
+        told.load_percent = clay.load_percent;
+    told.load_percent = std::min(told.load_percent, clay.load_percent);
+    if (text.empty()) return;
+    clay_s_ = now.now_s;
+    say({}, std::move(text));
+}
+
+std::vector<SaidLine> Narrator::look(const Hearing& now) {
+    const screens::View& view = *now.shown.view;
+    language_ = &language_of(view);
+    if (visit::step_of(view.state.screen).whose == visit::Whose::kNobody)
+        has_told_keys_ = has_told_hand_ = false;
+    const bool is_new = tell_line(view, now.asks_where);
+    if (is_new) tell_more(view);
+    tell_focus(now, is_new);
+    tell_clay(now);
+    return std::exchange(due_, {});
+}
+
+std::vector<SaidLine> Narrator::look_for_recordings(const screens::View& view) {
+    language_ = &language_of(view);
+    tell_line(view, false);
+    for (SaidLine& line : due_)
+        line.text.clear();
+    return std::exchange(due_, {});
+}
+
+}  // namespace onggi::app

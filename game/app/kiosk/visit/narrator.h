@@ -1,0 +1,71 @@
+// What a visitor hears: the line of each screen, each button as the focus comes to it, what has come of a
+// press, and the clay as it changes. Pure but for what it has already told; main thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/app/kiosk/presentation/kiosk_voice.h"
+#include "game/haptic/messages.h"
+#include "game/kiosk/strings.h"
+#include "game/screens/composer.h"
+
+namespace onggi::app {
+
+// The place of the marker that keys move, as far as keys have another meaning there.
+enum class MarkerPlace { kNone, kWall, kRim, kMiddle };
+[[nodiscard]] MarkerPlace marker_place(const std::optional<dvec2>& marker_mm, const pot::Pot& shape);
+
+struct Hearing {
+    const screens::Composed& shown;
+    int focus = -1;  // target with the ring
+    MarkerPlace marker = MarkerPlace::kNone;
+    const haptic::Snapshot& snapshot;
+    double now_s = 0.0;
+    bool is_quiet = true;     // nothing is being said
+    bool asks_where = false;  // the visitor asks where they are
+};
+
+class Narrator {
+  public:
+    // The lines that are due, once a frame.
+    [[nodiscard]] std::vector<SaidLine> look(const Hearing& now);
+    // The line of the screen alone, as a museum records them.
+    [[nodiscard]] std::vector<SaidLine> look_for_recordings(const screens::View& view);
+    // Nobody listens: the next look tells everything.
+    void forget() { *this = {}; }
+
+  private:
+    struct Clay {
+        bool is_solid = true;
+        int high_mm = 0;
+        int wall_mm = 0;       // 0: solid
+        int load_percent = 0;  // in tens; 0: little
+
+        friend bool operator==(const Clay&, const Clay&) = default;
+    };
+    [[nodiscard]] static Clay clay_of(const haptic::Snapshot& snapshot);
+    // Returns whether the screen's line is new.
+    bool tell_line(const screens::View& view, bool again);
+    void tell_more(const screens::View& view);
+    void tell_pot(const screens::FiredPot& pot);
+    void tell_focus(const Hearing& now, bool is_after_line);
+    void tell_clay(const Hearing& now);
+    void say(std::string_view key, std::string text, bool is_urgent = false);
+    void say(std::string_view key);
+
+    std::vector<SaidLine> due_;
+    const kiosk::Language* language_ = nullptr;  // during look()
+    std::string told_line_;                      // key, language and part of the screen's last line
+    std::string told_target_;
+    int told_focus_ = -1;
+    MarkerPlace told_marker_ = MarkerPlace::kNone;
+    std::optional<Clay> told_clay_;
+    double clay_s_ = -1e9;  // when the clay was told
+    bool has_told_keys_ = false;
+    bool has_told_hand_ = false;
+};
+
+}  // namespace onggi::app

@@ -1,0 +1,220 @@
+// Visitors who see nothing: they decide by the words that reach the synthesiser alone, and press keys, from
+// the attract screen to a kept pot, which must be a good one. One works the buttons by keys, one by a single
+// switch.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/app/kiosk/gallery/kiosk_gallery.h"
+#include "tests/stress/unseen_kiosk.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/visitors/judge.h"
+
+namespace onggi::app {
+namespace {
+
+using window::Key;
+
+// Hears what a synthesiser would speak, for as long as that takes.
+class Ear {
+  public:
+    [[nodiscard]] KioskVoice::Synthesise synthesiser() {
+        return [this](const std::string& /*language*/, const std::string& text,
+                      const std::function<bool()>& /*is_wanted*/) -> Result<sound::SpokenLine> {
+            const std::lock_guard lock(mutex_);
+            heard_.push_back(text);
+            return sound::SpokenLine{
+                std::vector<float>(static_cast<std::size_t>(seconds_of(text) * sound::kSampleRateHz))};
+        };
+    }
+    // At about 160 words a minute.
+    [[nodiscard]] static double seconds_of(const std::string& text) {
+        constexpr double kSPerLetter = 0.06;
+        return kSPerLetter * static_cast<double>(text.size());
+    }
+    // What was begun to be said since the last call.
+    [[nodiscard]] std::vector<std::string> listen() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(heard_, {});
+    }
+
+  private:
+    std::mutex mutex_;
+    std::vector<std::string> heard_;
+};
+
+bool has(const std::string& text, std::string_view words) {
+    return text.find(words) != std::string::npos;
+}
+
+class ByEar : public testing::Test {
+  protected:
+    // Waits for up to that many seconds of the visit until a line with these words was said to its end: what
+    // another line cuts off is not understood. What was said before does not count again.
+    bool hears(std::string_view words, double within_s) {
+        const double until_s = kiosk.now_s() + within_s;
+        for (; kiosk.now_s() < until_s; lives()) {
+            listens();
+            for (; taken < all.size(); ++taken)
+                if (has(all[taken], words)) return ++taken > 0;
+        }
+        return false;
+    }
+    void listens() {
+        if (!saying.empty() && kiosk.now_s() >= said_s) all.push_back(std::exchange(saying, {}));
+        for (std::string& line : ear.listen()) {
+            said_s = kiosk.now_s() + Ear::seconds_of(line);
+            saying = std::move(line);
+        }
+    }
+    // Time passes: as the wheel's while it works, because its clay has a clock of its own.
+    void lives() {
+        if (kiosk.snapshot().tool.pressing || kiosk.state().throwing.shown) {
+            kiosk.passes(0.05);
+        } else {
+            static_cast<void>(kiosk.until([n = 0]() mutable { return n++ > 0; }));
+        }
+    }
+    void presses(Key key) {
+        taken = all.size();
+        saying.clear();
+        kiosk.press_key(key);
+    }
+    // For what was perhaps said while the visitor listened for something else.
+    bool heard_or_hears(std::string_view words, double within_s) {
+        return std::any_of(all.begin(), all.end(), [&](const auto& line) { return has(line, words); }) ||
+               hears(words, within_s);
+    }
+    // What to do to come to a button, and to press it.
+    virtual bool chooses(std::string_view words) = 0;
+
+    // From the attract screen to the clay, and from the finished pot to the shelf.
+    void comes() {
+        ASSERT_TRUE(hears("Touch anywhere, press any key", 20.0));
+        presses(Key::kTab);
+        ASSERT_TRUE(hears("What will you make?", 20.0));
+        ASSERT_TRUE(hears("W says where you are", 30.0)) << "how to go on";
+        ASSERT_TRUE(chooses("As you like"));
+        ASSERT_TRUE(hears("Step one of three", 20.0));
+    }
+    // "Done", and once more pulls where the kiosk asks for them.
+    void ends(const std::function<void()>& pulls) {
+        constexpr int kMostPulls = 6;
+        for (int i = 0; i < kMostPulls; ++i) {
+            ASSERT_TRUE(chooses("Done. Cut the pot off the wheel"));
+            if (!hears("still thick", 12.0)) break;
+            ASSERT_TRUE(chooses("Back to the wheel"));
+            pulls();
+        }
+        if (hears("Turn the foot", 20.0)) {
+            ASSERT_TRUE(chooses("Leave the foot as it is"));
+        }
+        ASSERT_TRUE(heard_or_hears("Decorate the pot", 20.0));
+        ASSERT_TRUE(chooses("Leave it plain"));
+        ASSERT_TRUE(hears("Choose a glaze", 20.0));
+        ASSERT_TRUE(chooses("Use this glaze"));
+        ASSERT_TRUE(hears("Height", 20.0)) << "the pot in numbers";
+        ASSERT_TRUE(chooses("Keep it"));
+        ASSERT_TRUE(hears("saved on the museum shelf", 30.0));
+    }
+    void expect_good_pot() {
+        const auto pots = kept_pots(folder.path());
+        ASSERT_EQ(pots.size(), 1U);
+        const auto verdict = visitors::judge_session((pots.front().folder / "pot.onggi").string());
+        ASSERT_TRUE(verdict) << verdict.error().message;
+        fmt::print("{}\n", visitors::words_for(*verdict));
+        EXPECT_TRUE(verdict->is_good) << verdict->why_not_good;
+    }
+    void TearDown() override {
+        if (!HasFailure() && std::getenv("ONGGI_LOOK") == nullptr) return;
+        for (const std::string& line : all)
+            fmt::print("  \"{}\"\n", line);
+    }
+
+    const test::TemporaryFolder folder;
+    Ear ear;
+    UnseenKiosk kiosk{folder.path(), {.config = english(), .speech = ear.synthesiser()}};
+    std::vector<std::string> all;  // that was said to its end
+    std::size_t taken = 0;         // of them were acted on
+    std::string saying;            // what is being said
+    double said_s = 0.0;           // when that will have been said
+
+  private:
+    static kiosk::Config english() {
+        kiosk::Config config;
+        config.visit.shows_by_itself = false;  // what is shown is asked for
+        return config;
+    }
+};
+
+class ByKeysAndEar : public ByEar {
+  protected:
+    bool chooses(std::string_view words) override {
+        constexpr int kMostButtons = 30;
+        for (int i = 0; i < kMostButtons; ++i) {
+            presses(Key::kTab);
+            constexpr double kANameS = 10.0;
+            if (!hears({}, kANameS)) return false;
+            if (!has(all.back(), words)) continue;
+            presses(Key::kEnter);
+            return true;
+        }
+        return false;
+    }
+};
+
+TEST_F(ByKeysAndEar, AVisitorWhoIsShownEachStepKeepsAGoodPot) {
+    comes();
+    ASSERT_TRUE(chooses("Show me"));
+    ASSERT_TRUE(hears("Step two of three", 40.0));
+    ASSERT_TRUE(chooses("Show me"));
+    ASSERT_TRUE(hears("Step three of three", 40.0));
+    const auto pulls = [&] {
+        ASSERT_TRUE(chooses("Show me"));
+        static_cast<void>(hears("centimetres high", 12.0));
+    };
+    for (int i = 0; i < 3; ++i)
+        pulls();
+    presses(Key::kW);
+    ASSERT_TRUE(hears("Open", 20.0)) << "asked, the kiosk says how the clay stands";
+    ends(pulls);
+    expect_good_pot();
+}
+
+class BySwitchAndEar : public ByEar {
+  protected:
+    // The first press starts the scan; then the ring goes on by itself, and a press takes what was just
+    // named.
+    bool chooses(std::string_view words) override {
+        if (!std::exchange(scans_, true)) presses(Key::kSpace);
+        constexpr double kARoundS = 150.0;
+        if (!hears(words, kARoundS)) return false;
+        presses(Key::kSpace);
+        return true;
+    }
+    bool scans_ = false;
+};
+
+TEST_F(BySwitchAndEar, AVisitorKeepsAGoodPot) {
+    comes();
+    ASSERT_TRUE(chooses("Show me"));
+    ASSERT_TRUE(hears("Step two of three", 40.0));
+    ASSERT_TRUE(chooses("Show me"));
+    ASSERT_TRUE(hears("Step three of three", 40.0));
+    const auto pulls = [&] {
+        ASSERT_TRUE(chooses("Show me"));
+        static_cast<void>(hears("centimetres high", 12.0));
+    };
+    for (int i = 0; i < 3; ++i)
+        pulls();
+    ends(pulls);
+    expect_good_pot();
+}
+
+}  // namespace
+}  // namespace onggi::app

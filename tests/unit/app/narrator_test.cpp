@@ -1,0 +1,172 @@
+// What a visitor by ear is told, frame by frame on a virtual clock.
+#include "game/app/kiosk/visit/narrator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace onggi::app {
+namespace {
+
+using kiosk::Button;
+using kiosk::Screen;
+
+class NarratorTest : public testing::Test {
+  protected:
+    NarratorTest() {
+        view.languages = std::make_shared<const std::vector<kiosk::Language>>(kiosk::built_in_languages());
+        view.exhibits = std::make_shared<const std::vector<screens::Exhibit>>();
+        pot.height_mm = 60.0;
+        pot.floor_mm = 60.0;
+        pot.outer_mm.assign(60, 60.0F);
+        pot.inner_mm.assign(60, 0.0F);
+        snapshot.pot = &pot;
+    }
+    // The texts of the lines that are due; an urgent one begins with "! ".
+    std::vector<std::string> hears(double after_s = 0.1) {
+        now_s += after_s;
+        screens::Composed shown{std::make_shared<const screens::View>(view), {}};
+        shown.composition.targets = targets;
+        std::vector<std::string> texts;
+        for (const SaidLine& line : narrator.look({.shown = shown,
+                                    .focus = focus,
+                                    .marker = marker,
+                                    .snapshot = snapshot,
+                                    .now_s = now_s,
+                                    .is_quiet = is_quiet,
+                                    .asks_where = asks_where}))
+            texts.push_back((line.is_urgent ? "! " : "") + line.text);
+        return texts;
+    }
+    void open_to(double wall_mm) {
+        pot.floor_mm = 10.0;
+        pot.inner_mm.assign(60, static_cast<float>(60.0 - wall_mm));
+        std::fill_n(pot.inner_mm.begin(), 4, 0.0F);  // below the floor
+    }
+
+    screens::View view;
+    std::vector<screens::Target> targets;
+    pot::Pot pot;
+    haptic::Snapshot snapshot;
+    int focus = -1;
+    MarkerPlace marker = MarkerPlace::kNone;
+    bool is_quiet = true;
+    bool asks_where = false;
+    double now_s = 100.0;
+    Narrator narrator;
+};
+
+using Lines = std::vector<std::string>;
+
+TEST_F(NarratorTest, SaysAScreenOnceAndHowToWorkItByKeysTheFirstTime) {
+    view.state.screen = Screen::kChoose;
+    const Lines first = hears();
+    ASSERT_EQ(first.size(), 2U);
+    EXPECT_TRUE(first[0].starts_with("! What will you make?")) << first[0];
+    EXPECT_NE(first[1].find("W says where you are"), std::string::npos);
+    EXPECT_EQ(hears(), Lines{});
+    view.state.comfort.language = 1;
+    EXPECT_EQ(hears().size(), 1U) << "in the other language";
+}
+
+TEST_F(NarratorTest, NamesAButtonWithItsPlaceWhenTheFocusComesAndItsSettingWhenItChanges) {
+    view.state.screen = Screen::kGlaze;
+    targets = {{.button = Button::kGlaze, .name = "Ash", .spoken = "Wood ash glaze"},
+               {.button = Button::kTakeGlaze, .name = "This one", .spoken = "Use this glaze."}};
+    EXPECT_EQ(hears().size(), 1U);
+    focus = 0;
+    EXPECT_EQ(hears(), Lines{"! Wood ash glaze, 1 of 2"});
+    EXPECT_EQ(hears(), Lines{});
+    targets[0].spoken += ", chosen";
+    EXPECT_EQ(hears(), Lines{"! Wood ash glaze, chosen, 1 of 2"}) << "what has come of the press";
+    focus = 1;
+    EXPECT_EQ(hears(), Lines{"! Use this glaze. 2 of 2"});
+    view.state.screen = Screen::kYourPot;
+    const Lines next = hears();
+    ASSERT_EQ(next.size(), 1U);
+    EXPECT_EQ(next[0], "! Your pot") << "the ring is where it was";
+}
+
+TEST_F(NarratorTest, TellsTheClayAtAPaceAndOnlyWhatHasChanged) {
+    view.state.screen = Screen::kThrow;
+    static_cast<void>(hears());
+    EXPECT_EQ(hears(10.0), Lines{}) << "nothing has changed";
+    open_to(20.0);
+    pot.height_mm = 90.0;
+    EXPECT_EQ(hears(), (Lines{"Open, 9 centimetres high, walls up to 20 millimetres"}));
+    pot.height_mm = 120.0;
+    EXPECT_EQ(hears(), Lines{}) << "four seconds between two";
+    is_quiet = false;
+    EXPECT_EQ(hears(5.0), Lines{}) << "not over a line";
+    is_quiet = true;
+    EXPECT_EQ(hears(), Lines{"12 centimetres high"});
+    pot.height_mm = 123.0;
+    EXPECT_EQ(hears(10.0), Lines{}) << "too little to tell";
+    snapshot.load.index = 0.72;
+    EXPECT_EQ(hears(10.0), Lines{"70 percent of what it can bear"});
+    snapshot.load.index = 0.3;
+    EXPECT_EQ(hears(10.0), Lines{});
+}
+
+TEST_F(NarratorTest, TellsEverythingToWhomeverAsks) {
+    view.state.screen = Screen::kThrow;
+    targets = {{.button = Button::kDone, .name = "Done", .spoken = "Done. Cut the pot off the wheel."}};
+    focus = 0;
+    static_cast<void>(hears());
+    open_to(14.0);
+    static_cast<void>(hears(10.0));
+    asks_where = true;
+    is_quiet = false;
+    const Lines all = hears();
+    ASSERT_EQ(all.size(), 3U);
+    EXPECT_TRUE(all[0].starts_with("! Step one of three")) << all[0];
+    EXPECT_EQ(all[1], "Done. Cut the pot off the wheel. 1 of 1");
+    EXPECT_EQ(all[2], "Open, 6 centimetres high, walls up to 14 millimetres");
+}
+
+TEST_F(NarratorTest, SaysWhereTheKeysHandComesToTheRimOrTheMiddle) {
+    view.state.screen = Screen::kThrow;
+    static_cast<void>(hears());
+    marker = MarkerPlace::kWall;
+    EXPECT_EQ(hears(), Lines{});
+    marker = MarkerPlace::kRim;
+    EXPECT_EQ(hears(), Lines{"! At the rim"});
+    marker = MarkerPlace::kMiddle;
+    EXPECT_EQ(hears(), Lines{"! Over the middle"});
+    EXPECT_EQ(hears(), Lines{});
+}
+
+TEST_F(NarratorTest, WarnsOfTheTimeOutAndOnceMoreBeforeItsEnd) {
+    view.state.screen = Screen::kGlaze;
+    static_cast<void>(hears());
+    view.state.panel = kiosk::Panel::kIdle;
+    view.seconds_left = 20;
+    const Lines first = hears();
+    ASSERT_EQ(first.size(), 1U);
+    EXPECT_NE(first[0].find("in 20 seconds"), std::string::npos) << first[0];
+    view.seconds_left = 11;
+    EXPECT_EQ(hears(), Lines{});
+    view.seconds_left = 10;
+    ASSERT_EQ(hears().size(), 1U);
+    view.seconds_left = 9;
+    EXPECT_EQ(hears(), Lines{});
+}
+
+TEST_F(NarratorTest, TellsAPotInNumbersAndWords) {
+    view.state.screen = Screen::kYourPot;
+    auto fired = std::make_shared<screens::FiredPot>();
+    fired->height_mm = 112.4;
+    fired->width_mm = 98.0;
+    fired->weight_g = 870.0;
+    fired->capacity_l = 0.42;
+    fired->good_key = "tip.good.wall";
+    view.pot = fired;
+    EXPECT_EQ(hears(), (Lines{"! Your pot",
+                              "Height 112 millimetres, Width 98 millimetres, Weight 870 grams, "
+                              "Capacity 0.4 litres",
+                              "Good: a thin, light wall"}));
+}
+
+}  // namespace
+}  // namespace onggi::app
