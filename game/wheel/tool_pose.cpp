@@ -88,19 +88,19 @@ render::Sphere shadow_of(const Ball& ball, const mat4& place, bool left) {
     return {.centre_mm = vec3(place * vec4(at, 1.0F)), .radius_mm = ball.radius};
 }
 
-// Distance between the clay and the finger tips that hold a tool, mm.
-double depth_of(tool::Tool kind) {
+// Place of the finger tips on a tool, from the clay, mm: outwards, and towards the visitor.
+dvec2 tips_on(tool::Tool kind) {
     switch (kind) {
         case tool::Tool::kRib:
-            return 30.0;
+            return {17.0, 15.0};
         case tool::Tool::kSponge:
-            return 24.0;
+            return {23.0, 3.0};
         case tool::Tool::kHand:
         case tool::Tool::kTrimmer:
         case tool::Tool::kWire:
             break;
     }
-    return 0.0;
+    return {0.0, 0.0};
 }
 
 }  // namespace
@@ -184,38 +184,39 @@ ToolPicture ToolPose::picture() const {
     // Along the forearm, the way the hand came.
     const dvec3 back = inside ? dvec3(0.15, 1.0, 0.0) : dvec3(0.85, 0.15, left_ ? -0.45 : 0.45);
     const mat4 place = placed(touch_mm_, yaw_rad_, pitch_rad_);
-    const auto at = [&](double off_mm) {
-        const dvec3 offset = back * away_mm_ + dvec3(off_mm, 0.0, 0.0);
+    const auto at = [&](const dvec2& off_mm) {
+        const dvec3 offset = back * away_mm_ + dvec3(off_mm.x, 0.0, left_ ? -off_mm.y : off_mm.y);
         return place * glm::translate(mat4(1.0F), vec3(offset));
     };
-    const auto show = [&](ToolModel model, double off_mm) {
+    const auto show = [&](ToolModel model, const dvec2& off_mm) {
         picture.tools.push_back({.model = model, .left = left_, .place = at(off_mm)});
     };
-    const auto cast = [&](const Ball& ball, double off_mm) {
+    const auto cast = [&](const Ball& ball, const dvec2& off_mm) {
         picture.shadows.push_back(shadow_of(ball, at(off_mm), left_));
     };
+    constexpr dvec2 kAtClay(0.0);
     if (inside && narrow_) {
-        show(ToolModel::kStick, 0.0);
-        cast(kToolBall, 0.0);
+        show(ToolModel::kStick, kAtClay);
+        cast(kToolBall, kAtClay);
         return picture;
     }
-    const double depth = depth_of(tool_);
-    if (tool_ == tool::Tool::kRib) show(ToolModel::kRib, 0.0);
-    if (tool_ == tool::Tool::kSponge) show(ToolModel::kSponge, 0.0);
+    if (tool_ == tool::Tool::kRib) show(ToolModel::kRib, kAtClay);
+    if (tool_ == tool::Tool::kSponge) show(ToolModel::kSponge, kAtClay);
     if (tool_ == tool::Tool::kTrimmer) {
         // The model's handle hangs 24 degrees below level; a potter holds it the same angle above the wheel.
-        show(ToolModel::kTrimmer, 0.0);
+        show(ToolModel::kTrimmer, kAtClay);
         mat4& held = picture.tools.back().place;
         held = glm::rotate(held, static_cast<float>(48.0 * kDegree), vec3(0.0F, 0.0F, 1.0F));
-        cast(kToolBall, 0.0);
+        cast(kToolBall, kAtClay);
         return picture;
     }
-    show(inside ? ToolModel::kHandInner : ToolModel::kHandOuter, depth);
+    const dvec2 tips = tips_on(tool_);
+    show(inside ? ToolModel::kHandInner : ToolModel::kHandOuter, tips);
     if (inside) {
-        cast(kInnerBall, depth);
+        cast(kInnerBall, tips);
     } else {
         for (const Ball& ball : kOuterBalls)
-            cast(ball, depth);
+            cast(ball, tips);
     }
     return picture;
 }

@@ -44,7 +44,7 @@ class Trimming : public testing::Test {
         for (const char* name : {"trim-shaving-1", "trim-shaving-2", "trim-shaving-3"})
             kiosk.look(name, 0.3);
         kiosk.hold(false);
-        kiosk.frame();
+        kiosk.passes(0.1);  // a slow wheel cuts until it learns of the release
     }
     [[nodiscard]] double on_wheel_g() {
         return kiosk.snapshot().on_wheel_mm3 * clay::studio::kDensityGPerMm3;

@@ -61,8 +61,8 @@ def surface_nets(solid, low, high, cell_mm):
     return vertices, np.concatenate(quads)
 
 
-def _thinned(vertices, quads, triangles):
-    """About so many triangles, by collapsing the edges that matter least."""
+def _thinned(vertices, quads, triangles, kept):
+    """About so many triangles, by collapsing the edges that matter least; kept: of each vertex, how much it resists."""
     mesh = bpy.data.meshes.new("skin")
     mesh.from_pydata(vertices.tolist(), [], quads.tolist())
     thing = bpy.data.objects.new("skin", mesh)
@@ -70,6 +70,10 @@ def _thinned(vertices, quads, triangles):
     modifier = thing.modifiers.new("thin", "DECIMATE")
     modifier.ratio = min(1.0, triangles / (2.0 * len(quads)))
     modifier.use_collapse_triangulate = True
+    group = thing.vertex_groups.new(name="thinned")
+    for index, share in enumerate(kept):
+        group.add([index], 1.0 - share, "REPLACE")
+    modifier.vertex_group, modifier.vertex_group_factor = group.name, 4.0
     result = bpy.data.meshes.new_from_object(thing.evaluated_get(bpy.context.evaluated_depsgraph_get()))
     builder = bmesh.new()
     builder.from_mesh(result)
@@ -91,10 +95,11 @@ class Part:
         self.tone, self.smear, self.open_sky = tone, smear, open_sky
 
 
-def part(material, solid, low, high, cell_mm, triangles, smear=None, tone=None, around=None):
-    """around: the solid that shades it, where it is more than itself; smear, tone: functions of points."""
+def part(material, solid, low, high, cell_mm, triangles, smear=None, tone=None, around=None, detail=None):
+    """around: the solid that shades it, where it is more than itself; smear, tone, detail: functions of points;
+    detail: where small triangles stay, 0 to 1."""
     vertices, quads = surface_nets(solid, low, high, cell_mm)
-    points, faces = _thinned(vertices, quads, triangles)
+    points, faces = _thinned(vertices, quads, triangles, np.zeros(len(vertices)) if detail is None else detail(vertices))
     for _ in range(2):  # the grid and the thinning moved them off the surface
         normals = solids.gradient(solid, points)
         step = np.clip(solid(points), -cell_mm, cell_mm)

@@ -39,15 +39,15 @@ def _grain(points):
 
 
 def rib():
-    """A kidney of boxwood, its straight edge upright against the wall, held flat between wall and hand."""
+    """A kidney of boxwood, its straight edge upright against the wall, its face under the finger tips."""
     kidney = soft_intersection([solid.ball((21, 0, 0), (26, 38, 60)), _box((23, 0, 0), (23, 44, 3.2), 2.4),
                                 lambda p: 12.0 - np.hypot(p[:, 0] - 55.0, p[:, 1])], 3.0)
-    tilted = solid.turned(kidney, rotation((0, 1, 0), -28) @ rotation((0, 0, 1), -8))
+    tilted = solid.turned(kidney, rotation((0, 1, 0), -55) @ rotation((0, 0, 1), -8))
     return [skin.part("boxwood", tilted, vector(-20, -60, -45), vector(80, 60, 45), 1.1, 1100, _wet_end(46), _grain)]
 
 
 def sponge():
-    shape = solid.uneven(solid.ball((19, 2, 0), (19.5, 24, 27)), 1.5, 13, 5)
+    shape = solid.uneven(solid.ball((13, 2, 0), (13.5, 24, 28)), 1.5, 13, 5)
     shape = solid.uneven(shape, 0.9, 4.5, 6)
     return [skin.part("sponge", shape, vector(-8, -32, -36), vector(48, 36, 36), 1.2, 1500, _wet_end(34),
                       lambda p: 0.5 + 0.10 * np.sin(p[:, 0] * 1.3) * np.sin(p[:, 1] * 1.1) * np.sin(p[:, 2] * 1.2))]

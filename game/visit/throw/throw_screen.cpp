@@ -376,10 +376,9 @@ void add_tool_tray(Page& page) {
     }
 }
 
+// "Done" stays in its place, so that nobody who presses it again cuts the rim.
 void add_wire_ledge(Page& page) {
-    const Throwing& throwing = page.view().state.throwing;
     const std::string& how = page.t("wire.how");
-    const Setting speed = speed_setting(throwing);
     const float width = page.width();
     const float top = ledge_top(page);
     const float y = row_y(page);
@@ -393,33 +392,33 @@ void add_wire_ledge(Page& page) {
             x += 98.0F;
         }
     };
-    const auto cut = [&](const Rect& place) {
-        page.token(page.on_ledge(place), Look::kPrimary, Button::kCut, page.t("wire.cut"));
+    const auto cut_or_end = [&](const Rect& cut, const Rect& done) {
+        page.token(page.on_ledge(cut), Look::kPrimary, Button::kCut, page.t("wire.cut"));
+        page.token(page.on_ledge(done), Look::kToken, Button::kDone, page.t("ctl.done"));
     };
     switch (page.shape()) {
         case Shape::kWide:
-            add_lines(page, {34.0F, top + 26.0F, 370.0F, 110.0F + growth(page).labels}, how, {});
-            undo({424.0F, y, 70.0F, 66.0F});
-            add_held_token(page, {522.0F, y, 116.0F, 66.0F}, 132.0F);
-            add_stepper(page, {666.0F, y, 156.0F, 66.0F}, speed, false);
-            moves(848.0F, y);
-            cut({width - 232.0F, y - 4.0F, 200.0F, 74.0F});
+            add_lines(page, {34.0F, top + 26.0F, width - 860.0F, 110.0F + growth(page).labels}, how, {});
+            undo({width - 810.0F, y, 70.0F, 66.0F});
+            add_held_token(page, {width - 710.0F, y, 116.0F, 66.0F}, 132.0F);
+            moves(width - 570.0F, y);
+            cut_or_end({width - 372.0F, y - 4.0F, 168.0F, 74.0F}, {width - 188.0F, y, 156.0F, 66.0F});
             return;
         case Shape::kSquare:
             add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 60.0F + growth(page).caption}, how, {});
             undo({32.0F, y, 70.0F, 66.0F});
             add_held_token(page, {130.0F, y, 112.0F, 66.0F}, 128.0F);
-            add_stepper(page, {268.0F, y, 156.0F, 66.0F}, speed, false);
-            moves(452.0F, y);
-            cut({width - 296.0F, y - 4.0F, 264.0F, 74.0F});
+            moves(268.0F, y);
+            cut_or_end({470.0F, y - 4.0F, width - 470.0F - 172.0F, 74.0F},
+                       {width - 152.0F, y, 132.0F, 66.0F});
             return;
         case Shape::kTall:
             add_lines(page, {32.0F, top + 24.0F, width - 64.0F, 84.0F + growth(page).caption}, how, {});
             add_held_token(page, {32.0F, y, 116.0F, 66.0F}, 164.0F);
-            add_stepper(page, {278.0F, y, 164.0F, 66.0F}, speed, false);
+            undo({240.0F, y, 84.0F, 66.0F});
             moves(width - 214.0F, y);
-            undo({32.0F, second_row_y(page), 84.0F, 66.0F});
-            cut({width - 300.0F, second_row_y(page), 268.0F, 80.0F});
+            cut_or_end({32.0F, second_row_y(page), width - 352.0F, 80.0F},
+                       {width - 300.0F, second_row_y(page), 268.0F, 80.0F});
             return;
     }
 }
@@ -476,6 +475,14 @@ void add_throw_ledge(Page& page) {
     controls(page);
 }
 
+// What the rib or the sponge does; as long as the lesson lasts, what it cannot do. The ledge says what the
+// wire does, and a jar's card lies where these words would.
+const char* held_notice(const Throwing& throwing) {
+    const bool is_said = throwing.held != tool::Tool::kHand && throwing.held != tool::Tool::kWire;
+    if (!is_said || throwing.tray || throwing.shown || throwing.jar.step != JarStep::kNone) return nullptr;
+    return throwing.steps_done < kTeachingSteps ? "tool.only" : tray_tool(throwing.held).line_key;
+}
+
 }  // namespace
 
 void draw_throw(Page& page) {
@@ -517,7 +524,7 @@ void draw_throw(Page& page) {
                                : view.state.force_rests  ? "dev.rest"
                                : throwing.jar.is_low     ? "moon.low"
                                : throwing.jar.rims_apart ? "moon.more"
-                                                         : nullptr;
+                                                         : held_notice(throwing);
     if (notice != nullptr) {
         // Between the tokens at the top, or below them.
         const bool tall = page.is_tall();
@@ -532,7 +539,7 @@ void draw_throw(Page& page) {
              page.t(view.heard));
     }
     if (view.state.throwing.target && !view.outline_px.empty() && throwing.jar.step == JarStep::kNone &&
-        throwing.steps_done < kTeachingSteps && !warned) {
+        throwing.steps_done < kTeachingSteps && !warned && held_notice(throwing) == nullptr) {
         const float width = page.shape() == Shape::kWide ? 300.0F : 396.0F;
         chip(page, page.mirrored({24.0F, 28.0F, width, 84.0F}), page.t("out.target"));
     }

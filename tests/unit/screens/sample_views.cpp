@@ -225,6 +225,10 @@ void add_tool_views(const Samples& add) {
 }
 
 void add_throw_views(const Samples& add) {
+    add("held-too-soon", Screen::kThrow, [](View& view) {
+        view.state.throwing.held = tool::Tool::kRib;
+        view.state.throwing.target = 3;
+    });
     add("throw-left", Screen::kThrow, [](View& view) { view.state.comfort.left_hand = true; });
     add("throw-forces", Screen::kThrow, [](View& view) { view.state.comfort.forces = true; });
     add("throw-reach-left", Screen::kThrow, [](View& view) {

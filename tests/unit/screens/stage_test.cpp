@@ -324,6 +324,36 @@ TEST_F(Theatre, TurnsAPotInTwoPlacesByTurns) {
     EXPECT_EQ(draw(1.3).hash(), first) << "the first place again";
 }
 
+TEST_F(Theatre, KeepsDoneWhereItIsWhateverTheHandHolds) {
+    const auto done_of = [&](const char* name) {
+        std::vector<ui::Rect> places;
+        const auto screen = composed(name);
+        for (const Target& target : screen->composition.targets)
+            if (target.button == kiosk::Button::kDone) places.push_back(target.rect);
+        return places;
+    };
+    const auto by_hand = done_of("throw-3");
+    ASSERT_EQ(by_hand.size(), 1U);
+    for (const char* name : {"held-1", "held-2", "held-3"}) {
+        const auto held = done_of(name);
+        ASSERT_EQ(held.size(), 1U) << name;
+        EXPECT_EQ(held[0].centre(), by_hand[0].centre()) << name;
+    }
+}
+
+TEST_F(Theatre, SaysWhatAHeldToolDoesAndBeforeTheLessonIsOverWhatItCannotDo) {
+    const auto says = [&](const char* name, const char* words) {
+        const auto screen = composed(name);
+        const auto& writings = screen->composition.writings;
+        return std::any_of(writings.begin(), writings.end(),
+                           [&](const Writing& writing) { return writing.words == words; });
+    };
+    EXPECT_TRUE(says("held-1", "Makes the wall straight and even"));
+    EXPECT_TRUE(says("held-2", "Smooths, and soaks up water"));
+    EXPECT_TRUE(says("held-too-soon", "Only the hand opens and raises"));
+    EXPECT_FALSE(says("throw-0", "Only the hand opens and raises"));
+}
+
 TEST(TurnTable, TurnsOnceInNineSecondsAndStopsUnderAFinger) {
     TurnTable table;
     double turn = 0.0;
