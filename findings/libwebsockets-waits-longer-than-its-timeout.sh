@@ -64,7 +64,8 @@ int main(void) {
     const double alone = longest_round(0);
     const double timed = longest_round(1);
     fprintf(stderr, "%.3f s and %.3f s\n", alone, timed);
-    printf("time-out of 10 ms: %s; timer of 10 ms: %s", alone > 0.9 ? "over 0.9 s" : "less", timed < 0.5 ? "under 0.5 s" : "more");
+    printf("time-out of 10 ms: %s; timer of 10 ms: %s",
+           alone > 0.9 ? "over 0.9 s" : "less", timed < 0.5 ? "under 0.5 s" : "more");
     lws_context_destroy(context);
     return 0;
 }

@@ -137,8 +137,8 @@ int main(void) {
 CODE
 gcc -Iusr/include fingers.c -o fingers -lX11
 modules=$PWD/usr/lib/xorg/modules
-LD_LIBRARY_PATH=$PWD/usr/lib/xorg usr/lib/xorg/Xorg -seat seat-finding -config xorg.conf -modulepath "$modules" -logfile "$PWD/x.log" \
-    -displayfd 3 -noreset -nolisten tcp 3>number >/dev/null 2>&1 &
+usr/lib/xorg/Xorg -seat seat-finding -config xorg.conf -modulepath "$modules" -logfile "$PWD/x.log" -displayfd 3 \
+    -noreset -nolisten tcp 3>number >/dev/null 2>&1 &
 server=$!
 for _ in $(seq 300); do [ -s number ] && break; sleep 0.1; done
 saw=$(DISPLAY=:$(cat number) ./fingers)
