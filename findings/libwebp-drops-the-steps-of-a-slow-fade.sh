@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Package: libwebp7, libwebpmux3, libwebpdemux2, libwebp-dev 1.2.4-0.2+deb12u1 (Debian 12).
 # Behaviour: WebPAnimEncoder at quality 75 joins pictures that differ by a few levels from the last one that it kept. A grey
-# picture that brightens by one level in each of 24 pictures comes out as four frames, in steps of six levels; only a
-# lossless film keeps each. No option of the encoder or of the configuration turns the joining off.
+# picture that brightens by one level in each of 24 pictures comes out as four frames, in steps of six levels; at quality
+# 100 still as twelve, and key frames alone (kmax 1) change nothing. Only a lossless film keeps each.
 # Expected: loss within a frame; and each picture that differs is a frame, of however few bytes.
 # Why it matters: a sunset, a cooling kiln or a slow turn stands still and jumps, though each picture was given.
 # Seen:

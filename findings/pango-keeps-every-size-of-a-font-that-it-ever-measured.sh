@@ -4,7 +4,7 @@
 # freed, and more with each further size: no old size is dropped, and releasing the context does not help. Only
 # pango_fc_font_map_cache_clear() returns it.
 # Expected: a cache with a bound that forgets what was not used for long; or memory that ends with the layout.
-# Why it matters: a caption that grows smoothly, a zoom or a text fitted to a window costs 9 kB for each size that it passes;
+# Why it matters: a caption that grows smoothly, a zoom or a text fitted to a window costs 6 to 9 kB for each size that it passes;
 # a kiosk that runs for weeks grows without a leak that a tool would name. Draw in a fixed set of sizes.
 # Seen:
 #   1,000 sizes: over 4 MiB; 1,000 more: over 4 MiB; after clearing: under 1 MiB
