@@ -538,8 +538,8 @@ Painting Painter::paint(const Sketch& sketch) {
     return read(surface.get());
 }
 
-std::vector<std::byte> Painter::draw_vectors(const Sketch& sketch, VectorKind kind,
-                                             const std::string& title) {
+std::vector<std::byte> Painter::draw_vectors(const Sketch& sketch, VectorKind kind, const std::string& title,
+                                             const std::string& subject) {
     constexpr float kPointsPerMm = 72.0F / 25.4F;
     ++work_done;
     std::vector<std::byte> file;
@@ -557,6 +557,8 @@ std::vector<std::byte> Painter::draw_vectors(const Sketch& sketch, VectorKind ki
                                  : cairo_svg_surface_create_for_stream(append, &file, width, height));
     if (is_pdf) {
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
+        if (!subject.empty())
+            cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_SUBJECT, subject.c_str());
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
     } else {
         cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_MM);

@@ -131,12 +131,12 @@ nlohmann::ordered_json measures_json(const clay::StudioClay& clay, Firing stage)
     return measures;
 }
 
-std::string pot_json(const clay::StudioClay& clay) {
-    const nlohmann::ordered_json pot{{"format", "onggi-pot"},
-                                     {"version", kPotJsonVersion},
-                                     {"program", program_name()},
-                                     {"wet", measures_json(clay, Firing::kWet)},
-                                     {"fired", measures_json(clay, Firing::kGlaze)}};
+std::string pot_json(const clay::StudioClay& clay, const std::string& credit) {
+    nlohmann::ordered_json pot{
+        {"format", "onggi-pot"}, {"version", kPotJsonVersion}, {"program", program_name()}};
+    if (!credit.empty()) pot["credit"] = credit;
+    pot["wet"] = measures_json(clay, Firing::kWet);
+    pot["fired"] = measures_json(clay, Firing::kGlaze);
     return pot.dump(2) + "\n";
 }
 

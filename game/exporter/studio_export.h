@@ -40,8 +40,8 @@ struct Neck {
 std::vector<asset::Extra> pot_extras(const clay::StudioClay& clay, clay::Firing stage);
 // The same as JSON.
 [[nodiscard]] nlohmann::ordered_json measures_json(const clay::StudioClay& clay, clay::Firing stage);
-// The file pot.json, as docs/pot.schema.json describes it.
-[[nodiscard]] std::string pot_json(const clay::StudioClay& clay);
+// The file pot.json, as docs/pot.schema.json describes it; `credit`: whose it is, under which licence.
+[[nodiscard]] std::string pot_json(const clay::StudioClay& clay, const std::string& credit = {});
 constexpr int kPotJsonVersion = 1;
 
 // The unwrapped solid for viewing, glazed at the last stage. kBadInput: see build_pot_solid().

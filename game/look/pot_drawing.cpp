@@ -307,7 +307,7 @@ Result<std::vector<std::byte>> pot_drawing(const clay::StudioClay& clay, clay::F
     page.draw_dimensions(clay::measure_pot(clay.rings(), body, stage).mouth_mm);
     page.draw_scale();
     page.write_captions(title, captions_of(clay, stage, credit));
-    return painter.draw_vectors(page.finished(), kind, title);
+    return painter.draw_vectors(page.finished(), kind, title, credit);
 }
 
 }  // namespace onggi::look

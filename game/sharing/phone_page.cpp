@@ -294,11 +294,15 @@ class Page {
 
     [[nodiscard]] std::string nearest() const {
         if (words().nearest_name.empty()) return {};
+        const TwoPots two = two_pots(pot_.outside, pot_.nearest_outside);
+        const std::string scale = two.times_as_tall > 0.0
+                                      ? word("your.size", fmt::format("{:.1f}", two.times_as_tall))
+                                      : word("your.scale");
         return fmt::format(
             "<section class=\"card near\">\n{}\n<div><h2><small>{}</small> "
-            "{}</h2>\n<p>{}</p></div>\n</section>\n",
-            two_pots_svg(pot_.outside, pot_.nearest_outside), word("your.near"), html(words().nearest_name),
-            html(words().nearest_line));
+            "{}</h2>\n<p>{}{}</p></div>\n</section>\n",
+            two.svg, word("your.near"), html(words().nearest_name), html(words().nearest_line),
+            two.svg.empty() ? "" : "\n" + scale);
     }
 
     [[nodiscard]] std::string end() const {
@@ -404,26 +408,34 @@ std::string off_round_numbers(std::span<const OffRoundRow> rows) {
     return text;
 }
 
-std::string two_pots_svg(std::span<const OutlinePoint> ours, std::span<const OutlinePoint> nearest) {
+TwoPots two_pots(std::span<const OutlinePoint> ours, std::span<const OutlinePoint> nearest) {
     constexpr double kWidth = 132.0;
     constexpr double kHeight = 112.0;
     constexpr double kBoard = 4.0;
     constexpr double kGap = 10.0;
     const auto our_points = thinned(ours);
     const auto their_points = thinned(nearest);
-    const double wide = 2.0 * (radius_of(our_points) + radius_of(their_points));
-    const double high = std::max(height_of(our_points), height_of(their_points));
-    if (our_points.size() < 2 || their_points.size() < 2 || wide <= 0.0 || high <= 0.0) return {};
+    if (our_points.size() < 2 || their_points.size() < 2) return {};
+    const auto size_of = [](const auto& points) {
+        return std::max(height_of(points), 2.0 * radius_of(points));
+    };
+    if (size_of(our_points) <= 0.0 || size_of(their_points) <= 0.0) return {};
+    const double their_share = std::min(1.0, size_of(our_points) / size_of(their_points));
+    const double wide = 2.0 * (radius_of(our_points) + radius_of(their_points) * their_share);
+    const double high = std::max(height_of(our_points), height_of(their_points) * their_share);
     const double scale = std::min((kWidth - kGap) / wide, (kHeight - kBoard - 2.0) / high);
+    const double their_scale = scale * their_share;
     const double left = (kWidth - kGap - wide * scale) / 2.0;
     const double foot = kHeight - kBoard;
     const double our_middle = left + radius_of(our_points) * scale;
-    const double their_middle = kWidth - left - radius_of(their_points) * scale;
-    return fmt::format(
+    const double their_middle = kWidth - left - radius_of(their_points) * their_scale;
+    std::string svg = fmt::format(
         "<svg viewBox=\"0 0 {0} {1}\" aria-hidden=\"true\"><path class=\"ours\" d=\"{2}\"/>"
         "<path class=\"theirs\" d=\"{3}\"/><path class=\"board\" d=\"M0 {4}H{0}\"/></svg>",
         kWidth, kHeight, path_of(our_points, our_middle, foot, scale),
-        path_of(their_points, their_middle, foot, scale), kHeight - kBoard / 2.0);
+        path_of(their_points, their_middle, foot, their_scale), kHeight - kBoard / 2.0);
+    const double times = height_of(their_points) / std::max(1.0, height_of(our_points));
+    return {.svg = std::move(svg), .times_as_tall = their_share < 1.0 ? times : 0.0};
 }
 
 std::string phone_page(const PageFacts& facts) {

@@ -31,9 +31,13 @@ namespace onggi::sharing {
 // "12,-3,0,0,5 ...": a row's centre and its dents in whole twentieths of a millimetre.
 [[nodiscard]] std::string off_round_numbers(std::span<const OffRoundRow> rows);
 
-// Two pots on one board at the same scale, as SVG without text: ours, then the museum's.
-[[nodiscard]] std::string two_pots_svg(std::span<const OutlinePoint> ours,
-                                       std::span<const OutlinePoint> nearest);
+// Two pots on one board, as SVG without text: ours, then the museum's. At one scale, unless the museum's
+// would then be the larger picture.
+struct TwoPots {
+    std::string svg{};         // empty if an outline has less than two points
+    double times_as_tall = 0;  // the museum's pot; 0: both are at one scale
+};
+[[nodiscard]] TwoPots two_pots(std::span<const OutlinePoint> ours, std::span<const OutlinePoint> nearest);
 
 // Targets of the page's links: files beside it; empty if missing.
 struct PageLinks {

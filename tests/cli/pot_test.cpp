@@ -79,9 +79,14 @@ TEST_F(PotOnTheCommandLine, DrawsItselfAndTellsItsMeasures) {
     const auto pot = nlohmann::json::parse(thrown[2]);
     EXPECT_EQ(pot.at("format"), "onggi-pot");
     EXPECT_EQ(pot.at("version"), 1);
+    EXPECT_EQ(pot.at("credit"), "House, CC0");
+    EXPECT_NE(thrown[1].find("/Subject"), std::string::npos) << "a PDF's properties";
     const auto stats = json_of("bowl.json");
     for (const char* stage : {"wet", "fired"})
         EXPECT_EQ(pot.at(stage), stats.at(stage)) << "one name, one meaning";
+    expect_silent_success(onggi(
+        {"throw", "bowl.onggi", "--drawing", "q.pdf", "--credit", "House\xff", "--measures", "q.json"}));
+    EXPECT_EQ(json_of("q.json").at("credit"), "House\ufffd");
     expect_one_line(onggi({"throw", "bowl.onggi", "--drawing", "p.png"}), 2,
                     "p.png: expected a drawing's ending (.svg or .pdf)");
     expect_one_line(onggi({"throw", "bowl.onggi", "--credit", "House"}), 2, "--drawing");

@@ -193,7 +193,9 @@ void add_drawing_options(CLI::App& command, DrawingOptions& options) {
                 "the archaeologist's drawing at 1:1, half a section and half an elevation; may be repeated")
             ->type_name("F.svg|F.pdf")
             ->allow_extra_args(false);
-    command.add_option("--credit", options.credit, "a line below the drawing's measures")
+    command
+        .add_option("--credit", options.credit,
+                    "whose the pot is: a line below the drawing's measures, and in F.json")
         ->type_name("TEXT")
         ->needs(drawing);
     command.add_option("--measures", options.measures, "the pot's measures, wet and glazed")

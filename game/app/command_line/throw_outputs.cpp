@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "engine/asset/image.h"
+#include "engine/asset/utf8.h"
 #include "engine/core/quote.h"
 #include "engine/core/units.h"
 #include "engine/files/asset_folder.h"
@@ -254,13 +255,14 @@ Result<std::vector<NamedFile>> drawn_files(const haptic::HapticState& state, cla
     const clay::StudioClay* studio = state.studio();
     if (studio == nullptr)
         return bad_input("--drawing, --measures: expected the studio clay, found the paper's");
+    const std::string credit = asset::valid_utf8(options.credit);
     for (const std::string& place : options.drawings) {
-        auto bytes = look::pot_drawing(*studio, stage, look::drawing_kind_of(place).value(), options.credit);
+        auto bytes = look::pot_drawing(*studio, stage, look::drawing_kind_of(place).value(), credit);
         if (!bytes) return bytes.error();
         drawn.push_back({place, std::move(*bytes)});
     }
     if (options.measures) {
-        const std::string text = exporter::pot_json(*studio);
+        const std::string text = exporter::pot_json(*studio, credit);
         const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
         drawn.push_back({*options.measures, {bytes.begin(), bytes.end()}});
     }

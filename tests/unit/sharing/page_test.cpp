@@ -142,13 +142,31 @@ TEST(PhonePage, DrawsOutlinesOfAnyNumbers) {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     const std::vector<OutlinePoint> broken{{50.0, 0.0}, {nothing, 5.0}, {60.0, 10.0}};
     EXPECT_EQ(outline_numbers(broken), "50,0");
-    EXPECT_EQ(two_pots_svg(broken, plain), "");
+    EXPECT_EQ(two_pots(broken, plain).svg, "");
     std::vector<OutlinePoint> fine;
     for (int i = 0; i < 5000; ++i)
         fine.push_back({50.0, i * 0.05});
     const std::string numbers = outline_numbers(fine);
     EXPECT_LT(numbers.size(), 2000U);
     EXPECT_TRUE(numbers.ends_with("50,250")) << "the rim is kept";
+}
+
+TEST(PhonePage, DrawsAVatNoLargerThanTheVisitorsPotAndSaysHowTallItIs) {
+    const auto tube = [](double radius_mm, double height_mm) {
+        return std::vector<OutlinePoint>{{radius_mm, 0.0}, {radius_mm, height_mm}};
+    };
+    const TwoPots with_vat = two_pots(tube(40.0, 100.0), tube(400.0, 1000.0));
+    EXPECT_EQ(with_vat.times_as_tall, 10.0);
+    const TwoPots alike = two_pots(tube(40.0, 100.0), tube(40.0, 100.0));
+    EXPECT_EQ(alike.times_as_tall, 0.0) << "at one scale";
+    EXPECT_EQ(with_vat.svg, alike.svg) << "as large as the visitor's";
+    EXPECT_EQ(two_pots(tube(40.0, 100.0), tube(20.0, 50.0)).times_as_tall, 0.0);
+    SharedPot pot = support::full_pot("x");
+    pot.outside = tube(40.0, 100.0);
+    pot.nearest_outside = tube(400.0, 1000.0);
+    EXPECT_TRUE(has(page_of(pot, 0), "10.0"));
+    pot.nearest_outside = tube(20.0, 50.0);
+    EXPECT_FALSE(has(page_of(pot, 0), "10.0"));
 }
 
 TEST(PhonePage, KeepsALedgeOfAnOutline) {
