@@ -181,7 +181,7 @@ Result<void> add_extras(tinygltf::Model& model, const std::vector<Extra>& extras
     for (const auto& [name, value] : extras) {
         auto json = json_of(value);
         if (!json) return bad_input(fmt::format("glTF extras: field {}: expected finite numbers", name));
-        // The library writes an empty list as null.
+        // The library would write null (findings/tinygltf-writes-an-empty-list-as-null.sh).
         const auto* list = std::get_if<std::vector<double>>(&value);
         if (list != nullptr && list->empty()) continue;
         fields[valid_utf8(name)] = std::move(*json);

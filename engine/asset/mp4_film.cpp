@@ -26,6 +26,9 @@ constexpr unsigned kPicturesPerKey = 128;
 // Pictures are predicted in groups of eight, and finer the more others follow from them: a tenth fewer bytes.
 constexpr int kTemporalLayers = 4;
 constexpr int kMostQuantiser = 51;
+// The encoder takes smaller sizes and then no picture
+// (findings/openh264-encodes-an-odd-size-one-pixel-smaller.sh).
+constexpr std::uint32_t kLeastSide = 16;
 constexpr int kLongestMs = 1000;
 constexpr std::uint32_t kMsPerS = 1000;
 // Of libwebp's colours: primaries and curve of sRGB, the matrix of BT.601 (Rec. ITU-T H.264, table E-3 to
@@ -290,10 +293,11 @@ Result<Mp4Film> Mp4Film::create(const Mp4FilmDesc& desc) {
     SEncParamExt wanted;
     made->GetDefaultParams(&wanted);
     describe(wanted, encoder->track, desc.quantiser);
-    if (made->InitializeExt(&wanted) != cmResultSuccess) {
+    if (std::min(encoder->track.width, encoder->track.height) < kLeastSide ||
+        made->InitializeExt(&wanted) != cmResultSuccess) {
         return bad_input(
-            fmt::format("MP4: expected a size for H.264, 16 x 16 to some 9 million pixels, found {} x {}",
-                        desc.width, desc.height));
+            fmt::format("MP4: expected a size for H.264, {0} x {0} to some 9 million pixels, found {1} x {2}",
+                        kLeastSide, desc.width, desc.height));
     }
     return Mp4Film(std::move(encoder));
 }

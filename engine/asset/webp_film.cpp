@@ -20,8 +20,9 @@ constexpr int kLongestMs = 60'000;
 
 using Mux = std::unique_ptr<WebPMux, decltype(&WebPMuxDelete)>;
 
-// libwebp makes a still without a duration of equal pictures, and of a film with a single frame, too: puts
-// the picture in twice. Leaves a file that is a film as it is. False: no memory.
+// libwebp makes a still without a duration of equal pictures, and of a film with a single frame, too
+// (findings/libwebp-makes-a-still-without-a-duration-of-equal-pictures.sh): puts the picture in twice. Leaves
+// a file that is a film as it is. False: no memory.
 bool make_last(WebPData& file, int shown_ms) {
     constexpr int kCopies = 1;
     const Mux still(WebPMuxCreate(&file, kCopies), &WebPMuxDelete);

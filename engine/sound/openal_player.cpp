@@ -147,6 +147,8 @@ std::unique_ptr<SoundPlace> make_openal_place() {
     return std::make_unique<OpenAlPlace>();
 }
 
+// OpenAL's own list has a device where there is none
+// (findings/openal-lists-a-device-where-there-is-no-sound.sh).
 std::string why_no_sound() {
     if (is_set("ALSOFT_DRIVERS") || has_a_server() || has_a_card()) return {};
     return "expected a sound card or a sound server, found neither";

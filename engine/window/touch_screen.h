@@ -1,5 +1,6 @@
-// Reads each finger on a window separately; the X server's pointer follows the first finger only. X11 with
-// XInput 2.2, including Xwayland. Main thread.
+// Reads each finger on a window separately; the X server's pointer follows the first finger only
+// (findings/x-pointer-is-deaf-to-every-finger-but-the-first.sh). X11 with XInput 2.2, including Xwayland.
+// Main thread.
 #pragma once
 
 #include <array>

@@ -9,7 +9,8 @@ import bpy
 import numpy
 from mathutils import Vector
 
-numpy.bool = bool  # Debian 12's importer (Blender 3.4) asks for the name that its NumPy (1.24) has dropped
+# findings/blender-of-debian-12-refuses-every-glb-unless-told-how-to-shade.sh; with NumPy's name the normals are read.
+numpy.bool = bool
 
 pot, picture, side_px = sys.argv[sys.argv.index("--") + 1:]
 bpy.ops.wm.read_factory_settings(use_empty=True)

@@ -127,7 +127,8 @@ void InverseClient::Impl::disconnected(const std::string& why) {
     next_try_ns = now_ns + kTryAgainNs;
 }
 
-// The loop waits until its next timer; this timer keeps a round short.
+// The loop waits until its next timer, whatever the time-out that it is given
+// (findings/libwebsockets-waits-longer-than-its-timeout.sh); this timer keeps a round short.
 void InverseClient::Impl::woken(lws_sorted_usec_list_t* /*timer*/) {}
 
 void InverseClient::Impl::run_loop_once() {

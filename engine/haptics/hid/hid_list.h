@@ -36,7 +36,8 @@ struct HidDeviceInfo {
     std::string remedy = {};   // one line: how to fix that; empty if there is no fix
 };
 
-// One entry per device (hidapi lists one per usage collection), ordered by path.
+// One entry per device, ordered by path; hidapi lists one per collection
+// (findings/hidapi-lists-one-joystick-once-for-each-inner-collection.sh).
 Result<std::vector<HidDeviceInfo>> list_hid_devices();
 
 }  // namespace onggi::haptics

@@ -55,6 +55,12 @@ TEST(Glb, HoldsNamesMaterialAndExtras) {
     EXPECT_EQ(material["pbrMetallicRoughness"].at("metallicFactor"), 0.0);
 }
 
+TEST(Glb, LeavesOutAnEmptyList) {
+    GltfContent bare = content();
+    bare.extras.emplace_back("marks_mm", std::vector<double>());
+    EXPECT_EQ(written(bare).json, written(content()).json);
+}
+
 TEST(Glb, TellsEachViewsTarget) {
     const nlohmann::json json = written(content()).json;
     for (const nlohmann::json& view : json.at("bufferViews"))

@@ -59,9 +59,10 @@ TEST(Mp4Film, PlaysTheSameWithWhatItSaysAboutItself) {
 
 TEST(Mp4Film, RejectsInvalidInput) {
     for (const Mp4FilmDesc& desc :
-         {Mp4FilmDesc{.width = 1}, Mp4FilmDesc{.height = -480},
-          Mp4FilmDesc{.width = kMaxImageSide, .height = kMaxImageSide}, Mp4FilmDesc{.picture_ms = 0},
-          Mp4FilmDesc{.picture_ms = 1001}, Mp4FilmDesc{.quantiser = 0}, Mp4FilmDesc{.quantiser = 52}}) {
+         {Mp4FilmDesc{.width = 1}, Mp4FilmDesc{.width = 15}, Mp4FilmDesc{.height = 14},
+          Mp4FilmDesc{.height = -480}, Mp4FilmDesc{.width = kMaxImageSide, .height = kMaxImageSide},
+          Mp4FilmDesc{.picture_ms = 0}, Mp4FilmDesc{.picture_ms = 1001}, Mp4FilmDesc{.quantiser = 0},
+          Mp4FilmDesc{.quantiser = 52}}) {
         const auto made = Mp4Film::create(desc);
         ASSERT_FALSE(made);
         EXPECT_EQ(made.error().kind, ErrorKind::kBadInput);

@@ -60,7 +60,8 @@ TEST(ThreeMf, JoinsVerticesThatStandAtOnePlace) {
     EXPECT_TRUE(file.is_manifold);
 }
 
-// In the file's own text, because lib3mf neither escapes what it writes nor takes it back.
+// In the file's own text, because lib3mf takes back also what is not escaped
+// (findings/lib3mf-escapes-the-name-and-not-the-metadata.sh).
 std::string model_with(const ThreeMfWords& words) {
     return support::zip_parts(in_3mf(tetrahedron(), words)).at("3D/3dmodel.model");
 }
