@@ -33,7 +33,8 @@ std::string one_paragraph(std::string text) {
 }
 
 // espeak-ng 1.51 reads Chinese by its voice "cmn", and by "zh", as English spellings with numbers for the
-// tones ("chew five, more five"); with this one it speaks Mandarin.
+// tones ("chew five, more five"); with this one it speaks Mandarin
+// (findings/espeak-ng-reads-chinese-as-pinyin-spelt-in-english.sh).
 std::string voice_of(const std::string& language) {
     const std::string primary = language.substr(0, language.find('-'));
     return primary == "zh" ? "cmn-latn-pinyin" : primary;

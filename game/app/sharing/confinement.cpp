@@ -87,7 +87,8 @@ constexpr auto kCalls = std::to_array<int>({
     SCMP_SYS(restart_syscall),
 #ifdef __SANITIZE_ADDRESS__
     // The check of a virtual call's object asks through a pipe whether its memory can be read; without one,
-    // it takes every object for an invalid one.
+    // it takes every object for an invalid one
+    // (findings/ubsan-takes-a-good-object-for-a-bad-one-where-a-filter-refuses-pipes.sh).
     SCMP_SYS(pipe2),
     SCMP_SYS(pipe),
 #endif
