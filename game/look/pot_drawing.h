@@ -20,9 +20,9 @@ namespace onggi::look {
 
 // The file. Its lines are those of the exported solid: the section is cut at the clay's direction 0, x to the
 // right, and the elevation is the silhouette towards it. Line weights in mm: outlines 0.5, rim and base 0.35,
-// axis and edges 0.25, dimensions 0.18, hatching 0.13. `credit` is written below the measures, in any language,
-// and is a PDF's subject. The same pot gives the same bytes on one machine.
-// kBadInput: see exporter::build_pot_solid().
+// axis and edges 0.25, dimensions 0.18, hatching 0.13. `credit` is written below the measures, in any
+// language, and is a PDF's subject. The same pot gives the same bytes on one machine. kBadInput: see
+// exporter::build_pot_solid().
 [[nodiscard]] Result<std::vector<std::byte>> pot_drawing(const clay::StudioClay& clay, clay::Firing stage,
                                                          ui::VectorKind kind, const std::string& credit = {});
 
