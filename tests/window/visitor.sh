@@ -45,12 +45,15 @@ if [ "$hand" = touch ]; then
     exec 8>to_hands 9<from_hands
 fi
 
+# screen_targets lays out the panel of languages without the switch for speech, wherever espeak-ng is.
 cat >kiosk.toml <<TOML
 [languages]
 first = "$language"
 [screen]
 full_screen = $([ -n "${CAGED:-}" ] && echo true || echo false)
 backend = "${BACKEND:-auto}"
+[sound]
+speech = "off"
 [visit]
 forgiving = ${FORGIVING:-true}
 shows_by_itself = false
