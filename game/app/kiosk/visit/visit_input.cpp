@@ -156,6 +156,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
     if (open_finger(flow_.state()) == Finger::kBrush && take_drawing(news)) return;
     switch (news.kind) {
         case PointerNews::Kind::kNone:
+        case PointerNews::Kind::kPutDown:
             break;
         case PointerNews::Kind::kLife:
             flow_.dispatch(event::Input{.by_key = news.value == 1});
@@ -164,9 +165,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             flow_.dispatch(event::Pressed{news.button, news.value});
             break;
         case PointerNews::Kind::kFingerDown:
-            if (begins_on_bench(news.at_px)) {
-                flow_.dispatch(event::Input{});
-            } else if (finger_counts(flow_.state())) {
+            if (!begins_on_bench(news.at_px) && finger_counts(flow_.state())) {
                 touch_clay(news.at_px, &KioskFinger::press);
             } else {
                 flow_.dispatch(event::Input{});
@@ -201,8 +200,6 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             hovered_s_ = now_s;
             keys_lead_ = false;
             if (const auto place = finger_place(news.at_px)) finger_.hover(*place);
-            break;
-        case PointerNews::Kind::kPutDown:
             break;
         case PointerNews::Kind::kNudged:
             if (open_finger(flow_.state()) == Finger::kBowl) flow_.dispatch(event::Pressed{news.button});
