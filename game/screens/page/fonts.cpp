@@ -61,12 +61,12 @@ const Families& families_of(const kiosk::Language& language) {
 std::vector<FontFamily> needed_families(std::span<const std::string> codes) {
     std::vector<FontFamily> needed;
     for (std::size_t i = 0; i < kFamilies.size(); ++i) {
-        const auto& [family, of] = kFamilies[i];
+        const FamilyOfScript& wanted = kFamilies[i];
         const bool is_needed =
             i < kAlwaysNeeded || std::any_of(codes.begin(), codes.end(), [&](const std::string& code) {
-                return &families_of_code(code) == of;
+                return &families_of_code(code) == wanted.of;
             });
-        if (is_needed) needed.push_back(family);
+        if (is_needed) needed.push_back(wanted.family);
     }
     return needed;
 }
