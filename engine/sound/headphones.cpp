@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "engine/core/list_folder.h"
 
@@ -29,8 +30,13 @@ Headphones::~Headphones() {
 }
 
 void Headphones::look_for_more() {
+    std::set<std::string> before = std::exchange(others_, {});
     for (const std::filesystem::path& entry : list_folder(folder_).entries) {
         const std::string name = entry.filename().string();
+        if (auto known = before.extract(name)) {
+            others_.insert(std::move(known));
+            continue;
+        }
         if (!name.starts_with("event") ||
             std::any_of(jacks_.begin(), jacks_.end(), [&](const Jack& jack) { return jack.name == name; }))
             continue;
@@ -43,6 +49,7 @@ void Headphones::look_for_more() {
             jacks_.push_back({name, file});
         } else {
             ::close(file);
+            others_.insert(name);
         }
     }
 }

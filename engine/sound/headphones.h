@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,8 @@ class Headphones {
 
     std::string folder_;
     std::vector<Jack> jacks_;
+    // Devices without the switch. Opening one can wake it, so each is opened once while it is plugged in.
+    std::set<std::string> others_;
     std::int64_t looks_ns_ = 0;  // next
 };
 

@@ -106,8 +106,21 @@ class ByEar : public testing::Test {
         ASSERT_TRUE(chooses("As you like"));
         ASSERT_TRUE(hears("Step one of three", 20.0));
     }
+    // The lesson, each step of it shown.
+    void throws() {
+        ASSERT_TRUE(chooses("Show me"));
+        ASSERT_TRUE(hears("Step two of three", 40.0));
+        ASSERT_TRUE(chooses("Show me"));
+        ASSERT_TRUE(hears("Step three of three", 40.0));
+        for (int i = 0; i < 3; ++i)
+            pulls();
+    }
+    void pulls() {
+        ASSERT_TRUE(chooses("Show me"));
+        static_cast<void>(hears("centimetres high", 12.0));
+    }
     // "Done", and once more pulls where the kiosk asks for them.
-    void ends(const std::function<void()>& pulls) {
+    void ends() {
         constexpr int kMostPulls = 6;
         for (int i = 0; i < kMostPulls; ++i) {
             ASSERT_TRUE(chooses("Done. Cut the pot off the wheel"));
@@ -173,20 +186,11 @@ class ByKeysAndEar : public ByEar {
 };
 
 TEST_F(ByKeysAndEar, AVisitorWhoIsShownEachStepKeepsAGoodPot) {
-    comes();
-    ASSERT_TRUE(chooses("Show me"));
-    ASSERT_TRUE(hears("Step two of three", 40.0));
-    ASSERT_TRUE(chooses("Show me"));
-    ASSERT_TRUE(hears("Step three of three", 40.0));
-    const auto pulls = [&] {
-        ASSERT_TRUE(chooses("Show me"));
-        static_cast<void>(hears("centimetres high", 12.0));
-    };
-    for (int i = 0; i < 3; ++i)
-        pulls();
+    ASSERT_NO_FATAL_FAILURE(comes());
+    ASSERT_NO_FATAL_FAILURE(throws());
     presses(Key::kW);
     ASSERT_TRUE(hears("Open", 20.0)) << "asked, the kiosk says how the clay stands";
-    ends(pulls);
+    ASSERT_NO_FATAL_FAILURE(ends());
     expect_good_pot();
 }
 
@@ -205,18 +209,9 @@ class BySwitchAndEar : public ByEar {
 };
 
 TEST_F(BySwitchAndEar, AVisitorKeepsAGoodPot) {
-    comes();
-    ASSERT_TRUE(chooses("Show me"));
-    ASSERT_TRUE(hears("Step two of three", 40.0));
-    ASSERT_TRUE(chooses("Show me"));
-    ASSERT_TRUE(hears("Step three of three", 40.0));
-    const auto pulls = [&] {
-        ASSERT_TRUE(chooses("Show me"));
-        static_cast<void>(hears("centimetres high", 12.0));
-    };
-    for (int i = 0; i < 3; ++i)
-        pulls();
-    ends(pulls);
+    ASSERT_NO_FATAL_FAILURE(comes());
+    ASSERT_NO_FATAL_FAILURE(throws());
+    ASSERT_NO_FATAL_FAILURE(ends());
     expect_good_pot();
 }
 

@@ -11,9 +11,8 @@
 namespace onggi::app {
 namespace {
 
-constexpr std::int64_t kRoundEveryNs = 20'000'000;
-constexpr std::int64_t kListensEveryNs = 250'000'000;
-constexpr std::int64_t kRestsNs = 60'000'000'000;  // after failures in a row
+constexpr std::int64_t kListensEveryNs = 250'000'000;  // to the headphones; a line wakes the thread
+constexpr std::int64_t kRestsNs = 60'000'000'000;      // after failures in a row
 constexpr int kMostFailures = 3;
 constexpr double kPauseS = 0.2;  // between two lines
 constexpr std::size_t kMostWaiting = 6;
@@ -132,7 +131,7 @@ std::int64_t KioskVoice::round(std::int64_t now_ns) noexcept {
         headphones_in_.put(headphones_.are_in(now_ns));
     }
     const auto request = requests_.latest();
-    if (!request || request->number == answered_) return kRoundEveryNs;
+    if (!request || request->number == answered_) return kListensEveryNs;
     answered_ = request->number;
     answers_.put(std::make_shared<const Answer>(answer(*request, now_ns)));
     return 0;

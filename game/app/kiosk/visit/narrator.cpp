@@ -26,12 +26,11 @@ constexpr int kLoadPercent = 10;
 constexpr int kMuchLoadPercent = 60;
 constexpr int kSoonS = 10;  // before the end of the idle countdown, which is told once more
 
-bool ends_a_sentence(const std::string& text) {
-    return !text.empty() && std::string_view(".!?").find(text.back()) != std::string_view::npos;
-}
-
-void append(std::string& text, const std::string& more) {
-    if (!text.empty()) text += ends_a_sentence(text) ? " " : ", ";
+// With the language's comma, unless the text ends a sentence.
+void append(std::string& text, const std::string& more, const kiosk::Language& language) {
+    const kiosk::Punctuation& signs = language.punctuation();
+    const bool ends = text.ends_with(signs.stop) || text.ends_with('!') || text.ends_with('?');
+    if (!text.empty()) text += ends ? " " : signs.comma;
     text += more;
 }
 
@@ -87,9 +86,11 @@ void Narrator::tell_pot(const screens::FiredPot& pot) {
         return fmt::format("{} {} {}", language_->spoken(key), number, language_->spoken(unit_key));
     };
     std::string all = measure("your.h", whole(pot.height_mm), "unit.mm");
-    append(all, measure("your.w", whole(pot.width_mm), "unit.mm"));
-    append(all, measure("your.wt", whole(pot.weight_g), "unit.g"));
-    append(all, measure("your.cap", fmt::format("{:.1f}", pot.capacity_l), "unit.l"));
+    append(all, measure("your.w", whole(pot.width_mm), "unit.mm"), *language_);
+    append(all, measure("your.wt", whole(pot.weight_g), "unit.g"), *language_);
+    append(all,
+           measure("your.cap", language_->number(fmt::format("{:.1f}", pot.capacity_l), false), "unit.l"),
+           *language_);
     say({}, std::move(all));
     say(pot.good_key);
     say(pot.next_key);
@@ -118,7 +119,8 @@ void Narrator::tell_more(const screens::View& view) {
         if (state.keeping.phone == kiosk::Phone::kReady && view.phone) {
             std::string letters;  // each by itself
             for (const char letter : view.phone->code)
-                if (std::isalnum(static_cast<unsigned char>(letter)) != 0) append(letters, {letter});
+                if (std::isalnum(static_cast<unsigned char>(letter)) != 0)
+                    append(letters, {letter}, *language_);
             say({}, std::move(letters));
         }
     }
@@ -135,8 +137,9 @@ void Narrator::tell_focus(const Hearing& now, bool is_after_line) {
     if (focus < 0 || !(is_new || now.asks_where)) return;
     const screens::Target& target = targets[static_cast<std::size_t>(focus)];
     std::string text = name;
-    append(text, kiosk::filled_in(language_->spoken("ear.place"), std::to_string(focus + 1),
-                                  std::to_string(count)));
+    append(text,
+           kiosk::filled_in(language_->spoken("ear.place"), std::to_string(focus + 1), std::to_string(count)),
+           *language_);
     say(target.key, std::move(text), !is_after_line);
     // A language is named by its own voice.
     const auto place = static_cast<std::size_t>(std::max(0, target.value));
@@ -176,7 +179,7 @@ void Narrator::tell_clay(const Hearing& now) {
     std::string text;
     const auto add = [&](bool has_changed, std::string_view key, int n) {
         if (has_changed || now.asks_where)
-            append(text, kiosk::filled_in(language_->spoken(key), std::to_string(n)));
+            append(text, kiosk::filled_in(language_->spoken(key), std::to_string(n)), *language_);
         return has_changed || now.asks_where;
     };
     if (add(clay.is_solid != told.is_solid, clay.is_solid ? "ear.solid" : "ear.open", 0))
