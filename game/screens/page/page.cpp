@@ -592,12 +592,11 @@ void Page::language_token(const Rect& rect, int place, bool chosen) {
     if (chosen) {
         ui::Sketch tick;
         add_icon(tick, Icon::kCheck, {0.0F, 0.0F}, tick_side, design::kInk);
-        const vec2 at =
-            is_above ? vec2(rect.centre().x - 0.5F * tick_side, rect.y + 1.0F)
-                     : vec2(rect.x + (is_small ? 18.0F : 26.0F), rect.centre().y - 0.5F * tick_side - 3.0F);
+        const vec2 at = is_above ? vec2(rect.centre().x - 0.5F * tick_side, rect.y + 1.0F)
+                                 : vec2(rect.x + 18.0F, rect.centre().y - 0.5F * tick_side - 3.0F);
         sprite({at.x, at.y, tick_side, tick_side}, std::move(tick), target);
     }
-    const float air = is_above ? 14.0F : is_small ? 44.0F : 60.0F;
+    const float air = is_above ? 14.0F : is_small ? 44.0F : 64.0F;
     const float line = is_small ? 43.0F : 66.0F;
     const float lift = is_above ? -2.0F : is_small ? 2.0F : 4.0F;
     fixed_words({rect.x + air, rect.centre().y - 0.5F * line - lift, rect.width - 2.0F * air, line},
