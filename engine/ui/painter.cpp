@@ -387,8 +387,16 @@ Layout lay_out(PangoContext* context, const Text& text, float px_per_u, float bo
     pango_layout_context_changed(layout.get());
     pango_layout_set_text(layout.get(), text.words.data(), static_cast<int>(text.words.size()));
     pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD);
-    const float wrap_px = text.width > 0.0F ? text.width * px_per_u : box_width_px;
-    pango_layout_set_width(layout.get(), wrap_px > 0.0F ? pango_units(wrap_px) : -1);
+    int wide = -1;
+    if (text.width > 0.0F) {
+        wide = pango_units(text.width * px_per_u);
+    } else if (box_width_px > 0.0F) {
+        // A box as wide as the text was measured at another scale may be a hair too narrow: it must not break
+        // the line.
+        pango_layout_get_size(layout.get(), &wide, nullptr);
+        wide = std::max(wide, pango_units(box_width_px));
+    }
+    pango_layout_set_width(layout.get(), wide);
     // Without auto_dir, Pango's left is the page's left, whatever the paragraph's direction.
     PangoAlignment alignment = PANGO_ALIGN_CENTER;
     if (style.align != Align::kCentre) {

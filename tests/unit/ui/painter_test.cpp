@@ -96,6 +96,21 @@ TEST(Painter, DrawsAsWideAsItMeasures) {
     EXPECT_NEAR(drawn_part(written(painter, text, 400.0F)).width, painter.measure(text).width, 6.0F);
 }
 
+TEST(Painter, KeepsAllWordsOfALineInABoxThatIsAHairTooNarrow) {
+    Painter painter;
+    for (const char* words : {"as high as one pull goes", "한 번에 이만큼까지 올라가요", "لا أعلى من هذا"}) {
+        const Text text{.words = words, .style = style()};
+        for (const float px_per_u : {0.5F, 0.667F, 1.0F, 1.5F}) {
+            const auto drawn = [&](float box_width) {
+                Sketch sketch{.size = {500.0F, 60.0F}, .px_per_u = px_per_u};
+                sketch.add(Writing{.at = {20.0F, 10.0F}, .text = text, .box_width = box_width});
+                return drawn_part(painter.paint(sketch)).width;
+            };
+            EXPECT_EQ(drawn(painter.measure(text).width - 1.0F), drawn(0.0F)) << words << ' ' << px_per_u;
+        }
+    }
+}
+
 TEST(Painter, PaintsBoxesWhereTheyAre) {
     Painter painter;
     Sketch sketch{.size = {40.0F, 30.0F}, .px_per_u = 2.0F};
