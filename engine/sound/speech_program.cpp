@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "engine/core/language_tag.h"
 #include "engine/jobs/child_process.h"
 #include "engine/jobs/clock.h"
 
@@ -36,8 +37,8 @@ std::string one_paragraph(std::string text) {
 // tones ("chew five, more five"); with this one it speaks Mandarin
 // (findings/espeak-ng-reads-chinese-as-pinyin-spelt-in-english.sh).
 std::string voice_of(const std::string& language) {
-    const std::string primary = language.substr(0, language.find('-'));
-    return primary == "zh" ? "cmn-latn-pinyin" : primary;
+    const std::string_view primary = primary_language(language);
+    return std::string(primary == "zh" ? "cmn-latn-pinyin" : primary);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/language_tag.h"
 #include "engine/core/result.h"
 
 namespace onggi::kiosk {
@@ -45,10 +46,8 @@ class Language {
     [[nodiscard]] std::vector<std::string> missing_keys() const;  // present in the pattern only
     [[nodiscard]] const std::string& code() const { return code_; }
     [[nodiscard]] bool right_to_left() const;
-    // The language in any script and country: "ar" of "ar-EG", "zh" of "zh-Hans".
-    [[nodiscard]] std::string_view primary_code() const {
-        return std::string_view(code_).substr(0, code_.find('-'));
-    }
+    // Without script and country.
+    [[nodiscard]] std::string_view primary_code() const { return primary_language(code_); }
     [[nodiscard]] bool is_arabic() const { return primary_code() == "ar"; }
     // Writes a number such as "0.75" with the decimal sign of `number.point`, or, in Arabic with
     // `own_digits`, with Arabic-Indic digits.

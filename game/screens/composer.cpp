@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/language_tag.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/screens/page/fonts.h"
 
@@ -106,7 +107,7 @@ std::string missing_fonts(std::span<const std::string> codes) {
     std::vector<const char*> without;
     for (const Script& script : kScripts) {
         const bool is_needed = std::any_of(codes.begin(), codes.end(), [&](const std::string& code) {
-            return std::string_view(code).substr(0, code.find('-')) == script.primary;
+            return primary_language(code) == script.primary;
         });
         if (!script.primary.empty() && !is_needed) continue;
         if (painter.measure({.words = script.letter, .style = {}}).unknown_glyphs > 0)

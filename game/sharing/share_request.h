@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/core/language_tag.h"
 #include "game/sharing/page_files.h"
 #include "game/sharing/share_code.h"
 
@@ -74,7 +75,7 @@ std::optional<std::size_t> liked_language(std::string_view accept_language, cons
     for (const std::string_view code : codes) {
         // "zh-CN" likes "zh-Hans", but less than "zh-CN".
         const auto whole = detail::weight_of(accept_language, code);
-        const auto primary = detail::weight_of(accept_language, code.substr(0, code.find('-')));
+        const auto primary = detail::weight_of(accept_language, primary_language(code));
         const int weight = std::max(2 * whole.value_or(0), 2 * primary.value_or(0) - 1);
         if (weight > best_weight) {
             best = place;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "engine/core/language_tag.h"
+
 namespace onggi::screens {
 namespace {
 
@@ -42,7 +44,7 @@ constexpr std::array<FamilyOfScript, 10> kFamilies{{
 }};
 
 const Families& families_of_code(std::string_view code) {
-    const std::string_view primary = code.substr(0, code.find('-'));
+    const std::string_view primary = primary_language(code);
     if (primary == "ko" || primary == "en") return kNanum;
     if (primary == "ar") return kArabic;
     if (primary == "ja") return kJapanese;
