@@ -1,7 +1,8 @@
 """Removes the mechanism of each safety property from the source, one at a time, and expects a test to fail.
 
-  mutations.py FOLDER [WORDS]   Exit 0 when every mutation was noticed, 1 when one was not. An hour or two. Mutates a copy of
-                                the checkout in FOLDER, which it builds there; a copy of before is brought up to date.
+  mutations.py FOLDER [WORDS]   Exit 0 when every mutation was noticed, 1 when one was not or does not build. Mutates a copy
+                                of the checkout in FOLDER, which it builds there; a copy of before is brought up to date.
+                                An hour or two.
                                 WORDS: only the mutations whose names or test programs hold them.
   mutations.py --check          Exit 1 when a mutation quotes a text that its file does not hold exactly once: it names all.
 
@@ -165,7 +166,8 @@ MUTATIONS = [
     (5, "the largest applied fraction", (CHAIN, "input.applied_fraction <= 1.0 && ", ""), "unit_haptics"),
     (5, "the bound of the driven part", (CHAIN, "is_within(input.driven_force_n, limits.most_driven_n) &&", "true &&"),
      "unit_haptics"),
-    (5, "the check of the force for finite", (CHAIN, "           finite(force_n);\n", "           true;\n"), "unit_haptics"),
+    (5, "the check of the force for finite", (CHAIN, "           finite(force_n);\n",
+                                               "           (finite(force_n) || input.dt_s >= 0.0);\n"), "unit_haptics"),
     (4, "the fourth small tick of the ramp", (CHAIN, "state.calm_ticks <= limits.small_force_ticks) {",
                                               "state.calm_ticks < limits.small_force_ticks) {"), "unit_haptics"),
     # What the stages do with time.
@@ -214,7 +216,8 @@ MUTATIONS = [
     (7, "the zero before the first order", (GATE, "order.ticks == 0 || ", ""), "unit_hid"),
     (7, "the wait of the gate for a small force", (GATE, "        if (size_n > limits_.small_n) return allowed;\n", ""),
      "unit_hid"),
-    (7, "the ramp of the gate", (GATE, "fraction_ = ramp * (size_n", "fraction_ = (size_n"), "unit_hid"),
+    (7, "the ramp of the gate", (GATE, "fraction_ = ramp * (size_n", "fraction_ = (ramp < 0.0 ? 0.0 : 1.0) * (size_n"),
+     "unit_hid"),
     (7, "the ramp of the gate after nonsense", (GATE, "        restart();\n", ""), "unit_hid"),
     (1, "the peak of the gate", (GATE, "size_n > limits_.peak_n ? limits_.peak_n / size_n : 1.0", "1.0"), "unit_hid"),
     (1, "the third axis in the gate's peak", (GATE, "order.force_n.y * order.force_n.y +\n", "order.force_n.y * order.force_n.y + 0.0 *\n"),
@@ -324,11 +327,12 @@ def main():
         longest_s = 60 + 10 * (time.monotonic() - began)
         for number, what, edits, _ in mutations:
             before = copy.mutated(edits)
-            seen = copy.builds(program) and not copy.passes(program, longest_s)
+            outcome = ("DOES NOT BUILD" if not copy.builds(program) else
+                       "NOT NOTICED" if copy.passes(program, longest_s) else "noticed")
             for name, source in before.items():
                 (copy.root / name).write_text(source)
-            missed += not seen
-            print(f"{number:2} without {what}: {'noticed' if seen else 'NOT NOTICED'}", flush=True)
+            missed += outcome != "noticed"
+            print(f"{number:2} without {what}: {outcome}", flush=True)
     return 1 if missed else 0
 
 
