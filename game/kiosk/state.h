@@ -93,8 +93,7 @@ struct Throwing {
     int speed = 3;
     bool is_solid = false;  // the clay has no hollow
     DoneQuestion asks = DoneQuestion::kNone;
-    int asked_mm = 0;          // the thickness in that question
-    bool asked_thick = false;  // once a lump is enough
+    int asked_mm = 0;  // the thickness in the last question about the wall; 0: not asked yet
     Warning warning = Warning::kNone;
     Warning collapse = Warning::kNone;  // cause of the collapse, for the failure screen
     JarMaking jar{};

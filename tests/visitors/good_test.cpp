@@ -30,11 +30,15 @@ class GoodPots : public ::testing::TestWithParam<int> {
   protected:
     static void throw_and_report() {
         const auto kind = static_cast<Kind>(GetParam());
-        const auto all = throw_pots({.kind = kind, .count = kEach, .first_seed = 1001});
+        const auto all =
+            throw_pots({.kind = kind, .count = kEach, .first_seed = 1001, .skill = {.heeds_done = true}});
         fmt::print("{}\n", row_for(kind, all));
         for (const Left& left : all) {
             if (!left.verdict.is_good)
                 fmt::print("    {}; {}\n", left.verdict.why_not_good, words_for(left.verdict));
+            if (!left.after_advice.is_good)
+                fmt::print("        after {} times advice {}; {}\n", left.visit.advised,
+                           left.after_advice.why_not_good, words_for(left.after_advice));
         }
         EXPECT_GE(fraction_of_good_pots(all), kLeast[static_cast<std::size_t>(GetParam())]);
         write_sheet(test::in_build(fmt::format("good_{}.png", GetParam())),

@@ -99,7 +99,9 @@ void KioskRig::frame(const dvec2& pointer_mm, bool pressed) {
     const bool works = finger_.works() && !finger_.shows();
     if (works != visit_.pace.held) dispatch(kiosk::event::Held{works});
     if (visit_.throwing.shown && !finger_.shows()) dispatch(kiosk::event::ShowOver{});
-    dispatch(kiosk::event::Progress{lesson_.steps_done(shape_)});
+    dispatch(kiosk::event::Progress{.steps_done = lesson_.steps_done(shape_),
+                                    .is_solid = pot::is_solid(shape_),
+                                    .thick_mm = app::thick_wall_mm(shape_)});
     dispatch(kiosk::event::Tick{});
     if (!outline_mm_.empty())
         finger_.set_outline(outline_mm_, app::outline_help_after(lesson_.steps_done(shape_)));
@@ -121,8 +123,23 @@ void KioskRig::dispatch(const kiosk::Event& event) {
     }
 }
 
+WheelRig::Advice KioskRig::press_done() {
+    if (!at_done_) at_done_ = clay();
+    dispatch(kiosk::event::Pressed{kiosk::Button::kDone});
+    switch (visit_.throwing.asks) {
+        case kiosk::DoneQuestion::kSolid:
+            return Advice::kOpen;
+        case kiosk::DoneQuestion::kThick:
+            return Advice::kDrawUp;
+        case kiosk::DoneQuestion::kNone:
+            break;
+    }
+    return Advice::kNone;
+}
+
 void KioskRig::show_outline(const std::vector<dvec2>& outline_mm) {
     outline_mm_.assign(outline_mm.begin(), outline_mm.end());
+    visit_.throwing.target = outline_mm.empty() ? std::nullopt : std::optional(0);
 }
 
 double KioskRig::outer_mm(double y_mm) const {

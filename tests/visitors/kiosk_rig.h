@@ -3,6 +3,7 @@
 // to the clay's plane as on a screen 1280 wide, with the tools of the bench where that screen shows them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "game/app/kiosk/finger/kiosk_finger.h"
@@ -25,6 +26,7 @@ class KioskRig final : public WheelRig {
     // with each step of the lesson.
     void show_outline(const std::vector<dvec2>& outline_mm);
     void frame(const dvec2& pointer_mm, bool pressed) override;
+    Advice press_done() override;
     [[nodiscard]] double height_mm() const override { return clay().height_mm(); }
     [[nodiscard]] double floor_mm() const override { return clay().floor_mm(); }
     [[nodiscard]] double outer_mm(double y_mm) const override;
@@ -35,6 +37,8 @@ class KioskRig final : public WheelRig {
 
     [[nodiscard]] const pot::Pot& shape() const { return shape_; }
     [[nodiscard]] const clay::StudioClay& clay() const { return *state_.studio(); }
+    // The clay when "done" was pressed for the first time, or as it is.
+    [[nodiscard]] const clay::StudioClay& clay_at_done() const { return at_done_ ? *at_done_ : clay(); }
     // Both faces of every ring, bottom first, at the last release of the pointer or the end of
     // the last demonstration.
     [[nodiscard]] const std::vector<double>& released_mm() const { return released_mm_; }
@@ -51,6 +55,7 @@ class KioskRig final : public WheelRig {
     haptic::SimulatedDevice device_;
     haptic::HapticParameters parameters_;
     haptic::HapticState state_;
+    std::optional<clay::StudioClay> at_done_;
     pot::Pot shape_;
     app::Lesson lesson_;
     std::vector<vec2> outline_mm_;

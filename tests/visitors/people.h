@@ -51,15 +51,18 @@ constexpr std::array<std::string_view, kKindCount + 1> kKindNames{"lesson",     
                                                                   "slow",         "both sides",
                                                                   "downward",     "follows an outline"};
 
-// How one of them aims: standard deviations in mm. 4.8 mm are ten pixels of a screen 1280 wide.
+// How one of them aims: standard deviations in mm. 4.8 mm are ten pixels of a screen 1280 wide. And whether
+// they do what the screen says at "done".
 struct Skill {
     double aim_mm = 4.8;
     double wander_mm = 1.5;
-    double tremor_mm = 0.0;  // amplitude, at 5 Hz
+    double tremor_mm = 0.0;   // amplitude, at 5 Hz
+    bool heeds_done = false;  // opens or draws up where "done" advises it, twice at most
 };
 
 struct Visit {
     double seconds = 0.0;         // to the last release
+    int advised = 0;              // how often they did what "done" advised
     double made_s = -1.0;         // until the clay was hollow and raised; -1: never
     std::vector<dvec2> drawn_mm;  // the intended outline, radius and height from below; empty: no outline
 };

@@ -82,7 +82,8 @@ std::vector<Left> throw_pots(const Crowd& crowd) {
         Left left;
         left.seed = crowd.first_seed + static_cast<std::uint64_t>(i);
         left.visit = throw_a_pot(crowd.kind, left.seed, crowd.skill, rig, crowd.shown_mm);
-        left.verdict = judge(rig.clay(), left.visit.drawn_mm);
+        left.verdict = judge(rig.clay_at_done(), left.visit.drawn_mm);
+        left.after_advice = judge(rig.clay(), left.visit.drawn_mm);
         left.is_untouched = rig.faces_mm() == rig.released_mm();
         left.ledger_error_mm3 = rig.clay().ledger_error_mm3();
         for (double y = 0.5; y < rig.height_mm(); y += 1.0) {
@@ -102,6 +103,10 @@ double fraction_of_good_pots(const std::vector<Left>& all) {
     return fraction(all, [](const Left& left) { return left.verdict.is_good; });
 }
 
+double fraction_of_good_pots_after_advice(const std::vector<Left>& all) {
+    return fraction(all, [](const Left& left) { return left.after_advice.is_good; });
+}
+
 std::string row_for(Kind kind, const std::vector<Left>& all) {
     const auto of = [&](const std::function<double(const Left&)>& value) {
         std::vector<double> values;
@@ -109,14 +114,15 @@ std::string row_for(Kind kind, const std::vector<Left>& all) {
             values.push_back(value(left));
         return median(std::move(values));
     };
-    return fmt::format("{:14} {:4} {:5.0f} % {:5.0f} % {:6.1f} {:6.1f} {:6.0f} {:6.0f} {:6.0f} {:6.1f}",
-                       kKindNames[static_cast<std::size_t>(kind)], all.size(), 100.0 * fraction_of_pots(all),
-                       100.0 * fraction_of_good_pots(all),
-                       of([](const Left& left) { return left.verdict.mean_wall_mm; }),
-                       of([](const Left& left) { return left.verdict.thickest_up_mm; }),
-                       of([](const Left& left) { return left.verdict.capacity_ml; }),
-                       of([](const Left& left) { return left.verdict.height_mm; }),
-                       of([](const Left& left) { return left.visit.seconds; }), median_rms_mm(all));
+    return fmt::format(
+        "{:14} {:4} {:5.0f} % {:5.0f} % {:5.0f} % {:6.1f} {:6.1f} {:6.0f} {:6.0f} {:6.0f} {:6.1f}",
+        kKindNames[static_cast<std::size_t>(kind)], all.size(), 100.0 * fraction_of_pots(all),
+        100.0 * fraction_of_good_pots(all), 100.0 * fraction_of_good_pots_after_advice(all),
+        of([](const Left& left) { return left.verdict.mean_wall_mm; }),
+        of([](const Left& left) { return left.verdict.thickest_up_mm; }),
+        of([](const Left& left) { return left.verdict.capacity_ml; }),
+        of([](const Left& left) { return left.verdict.height_mm; }),
+        of([](const Left& left) { return left.visit.seconds; }), median_rms_mm(all));
 }
 
 double fraction_within_mm(const std::vector<Left>& all, double rms_mm) {

@@ -22,7 +22,8 @@ struct Crowd {
 struct Left {
     std::uint64_t seed = 0;
     Visit visit;
-    Verdict verdict;
+    Verdict verdict;            // of the pot at "done"
+    Verdict after_advice;       // of the pot after the advice of "done", for a visitor who heeds it
     bool is_untouched = false;  // since the last release, to the bit
     double ledger_error_mm3 = 0.0;
     std::vector<dvec2> outer_mm;  // radius and height, every millimetre
@@ -34,6 +35,7 @@ std::vector<Left> throw_pots(const Crowd& crowd);
 // A fraction, 0 to 1.
 double fraction_of_pots(const std::vector<Left>& all);
 double fraction_of_good_pots(const std::vector<Left>& all);
+double fraction_of_good_pots_after_advice(const std::vector<Left>& all);
 double fraction_within_mm(const std::vector<Left>& all, double rms_mm);
 bool all_untouched(const std::vector<Left>& all);
 double median_rms_mm(const std::vector<Left>& all);
@@ -42,9 +44,9 @@ double median_made_s(const std::vector<Left>& all);  // visitors without a pot c
 // One line for each failed pot, for the test's message.
 std::string words_for(const std::vector<Left>& all);
 
-// One line for the table of kinds: count, pots, good pots, and the medians of the mean
-// and the thickest wall (mm), capacity (ml), height (mm), time (s) and the distance from a drawn outline
-// (mm).
+// One line for the table of kinds: count, pots, good pots at "done" and after its advice, and the medians at
+// "done" of the mean and the thickest wall (mm), capacity (ml), height (mm), time (s) and the distance from a
+// drawn outline (mm).
 std::string row_for(Kind kind, const std::vector<Left>& all);
 
 // Writes their pots as a picture, a row a crowd, half outside and half cut, the outline they meant in white.

@@ -26,6 +26,10 @@ class WheelRig {
     // Whether the wheel's own hands demonstrate a step. Most people watch them.
     [[nodiscard]] virtual bool shows() const { return false; }
 
+    // Presses "done", and returns what the screen advises instead of cutting the pot off.
+    enum class Advice { kNone, kOpen, kDrawUp };
+    virtual Advice press_done() { return Advice::kNone; }
+
     [[nodiscard]] double depth_mm() const { return height_mm() - floor_mm(); }
 };
 

@@ -14,6 +14,7 @@ namespace onggi::visit {
 namespace {
 
 constexpr int kRaiseStep = 2;  // steps done before it; raising goes on as long as the visitor likes
+constexpr int kThinnerMm = 2;  // a visitor who took the advice has thinned the wall by this
 
 // The next step of the lesson; the last one if all are done.
 ShownStep next_step(const Throwing& throwing) {
@@ -62,13 +63,15 @@ void pass_show(Turn& turn) {
     if (is_wanted && (is_stuck || (rests && now_s - pace.progress_s >= rules.show_after_s))) begin_show(turn);
 }
 
-// A wall that is about to sink somewhere is not drawn any higher.
+// A wall that is about to sink somewhere is not drawn any higher. Who takes the advice gets the next one, and
+// who keeps the wall as it is, is asked once.
 DoneQuestion question_of(const State& state) {
     const Throwing& throwing = state.throwing;
     if (throwing.is_solid) return DoneQuestion::kSolid;
     const bool is_thick = state.thick_mm > 0 && throwing.warning == Warning::kNone;
-    return is_thick && !throwing.asked_thick && throwing.jar.step == JarStep::kNone ? DoneQuestion::kThick
-                                                                                    : DoneQuestion::kNone;
+    const bool is_news = throwing.asked_mm == 0 || state.thick_mm <= throwing.asked_mm - kThinnerMm;
+    return is_thick && is_news && throwing.jar.step == JarStep::kNone ? DoneQuestion::kThick
+                                                                      : DoneQuestion::kNone;
 }
 
 void press_throw(Turn& turn, const event::Pressed& event) {
@@ -120,12 +123,8 @@ void press_throw(Turn& turn, const event::Pressed& event) {
             break;
         case Button::kDone:
             throwing.asks = asked == DoneQuestion::kNone ? question_of(turn.state) : DoneQuestion::kNone;
-            if (throwing.asks == DoneQuestion::kNone) {
-                finish_throwing(turn);
-            } else if (throwing.asks == DoneQuestion::kThick) {
-                throwing.asked_thick = true;
-                throwing.asked_mm = turn.state.thick_mm;
-            }
+            if (throwing.asks == DoneQuestion::kNone) finish_throwing(turn);
+            if (throwing.asks == DoneQuestion::kThick) throwing.asked_mm = turn.state.thick_mm;
             break;
         default:
             if (moves_hand(event.button)) turn.add(effect::MoveHand{event.button});
