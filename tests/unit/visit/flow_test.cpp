@@ -198,7 +198,17 @@ TEST_F(Kiosk, AdvisesAnotherPullOfAThickWallBeforeThePotIsCutOff) {
     EXPECT_EQ(spoken_key(visitor.state), "step.own") << "one tap, and the visitor is back at the wheel";
     visitor.does(event::ClayTouched{}).does(event::Progress{.steps_done = 3, .thick_mm = 19});
     visitor.presses(Button::kDone);
-    EXPECT_EQ(visitor.state.screen, Screen::kFiring) << "once a lump is enough";
+    EXPECT_EQ(visitor.state.screen, Screen::kThrow) << "who took the advice gets the next one";
+    EXPECT_EQ(visitor.state.throwing.asked_mm, 19);
+    visitor.does(event::ClayTouched{}).does(event::Progress{.steps_done = 3}).presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring) << "now it is thin enough";
+}
+
+TEST_F(Kiosk, AdvisesOnceWhereTheWallStaysAsThick) {
+    visitor.starts_to_throw().does(event::Progress{.steps_done = 3, .thick_mm = 22}).presses(Button::kDone);
+    visitor.does(event::ClayTouched{}).does(event::Progress{.steps_done = 3, .thick_mm = 21});
+    visitor.presses(Button::kDone);
+    EXPECT_EQ(visitor.state.screen, Screen::kFiring);
 }
 
 TEST_F(Kiosk, KeepsAThickWallThatTheVisitorWants) {
