@@ -1,6 +1,6 @@
-// Good pots (judge.h) by kind, with a table. The hands may be tuned with the open kinds; the reserved kinds
-// are measured when a change of the hands is finished. Writes a sheet a kind to
-// build/<preset>/good_<kind>.png.
+// Good pots (judge.h) by kind, with a table: as they are when "done" is pressed, and after the visitor did
+// what the screen advises then. The hands may be tuned with the open kinds; the reserved kinds are measured
+// when a change of the hands is finished. Writes a sheet a kind to build/<preset>/good_<kind>.png.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,11 +19,18 @@ namespace {
 
 constexpr int kEach = 40;
 
-// The least fraction of good pots of a kind: somewhat less than the hands of the studio reach, so that none
-// gets worse unseen. The outlines that bowls and vases mean are too small for a kilogram with a wall of 10
-// mm.
-constexpr std::array<double, kKindCount> kLeast{0.95, 0.95, 0.75, 0.75, 0.0, 0.0, 0.4, 0.95, 0.5,  0.95, 0.6,
-                                                0.75, 0.6,  0.65, 0.6,  0.0, 0.0, 0.0, 0.85, 0.85, 0.95};
+// The least fractions of good pots of a kind: somewhat less than the hands of the studio reach, so that none
+// gets worse unseen. The outlines that bowls, vases and tracers mean are too small for a kilogram with a wall
+// of 10 mm; they learn of their wall at "done".
+struct Least {
+    double at_done;
+    double after_advice;
+};
+constexpr std::array<Least, kKindCount> kLeast{{
+    {0.95, 0.95}, {0.95, 0.95}, {0.75, 0.95}, {0.75, 0.95}, {0.0, 0.95},  {0.0, 0.6},   {0.4, 0.8},
+    {0.95, 0.95}, {0.5, 0.95},  {0.95, 0.95}, {0.6, 0.85},  {0.75, 0.85}, {0.6, 0.6},   {0.65, 0.9},
+    {0.6, 0.95},  {0.0, 0.85},  {0.0, 0.9},   {0.0, 0.6},   {0.85, 0.9},  {0.85, 0.95}, {0.95, 0.95},
+}};
 
 // A row a kind.
 class GoodPots : public ::testing::TestWithParam<int> {
@@ -40,7 +47,9 @@ class GoodPots : public ::testing::TestWithParam<int> {
                 fmt::print("        after {} times advice {}; {}\n", left.visit.advised,
                            left.after_advice.why_not_good, words_for(left.after_advice));
         }
-        EXPECT_GE(fraction_of_good_pots(all), kLeast[static_cast<std::size_t>(GetParam())]);
+        const Least& least = kLeast[static_cast<std::size_t>(GetParam())];
+        EXPECT_GE(fraction_of_good_pots(all), least.at_done);
+        EXPECT_GE(fraction_of_good_pots_after_advice(all), least.after_advice);
         write_sheet(test::in_build(fmt::format("good_{}.png", GetParam())),
                     {{all.begin(), all.begin() + kEach / 2}, {all.begin() + kEach / 2, all.end()}});
     }
