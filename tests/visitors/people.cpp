@@ -315,17 +315,22 @@ void draw_up(Person& person, int times, double least_s, double most_s) {
     }
 }
 
-// Back from "done": does what it advised, as the lesson shows it.
-void take_advice(Person& person, WheelRig::Advice advice) {
+// Presses "done", and does what it advises as the lesson shows it. Returns how often.
+int heed_done(Person& person) {
+    constexpr int kPatience = 2;
     WheelRig& wheel = person.wheel();
-    person.wait(person.uniform(1.0, 3.0));
-    if (advice == WheelRig::Advice::kOpen) {
-        for (int i = 0; i < 8 && wheel.depth_mm() < 18.0; ++i)
-            press_middle(person, person.uniform(1.0, 3.0));
-    } else {
-        draw_up(person, 1 + static_cast<int>(person.uniform(0.0, 2.0)), 1.5, 4.0);
+    for (int taken = 0;; ++taken) {
+        const WheelRig::Advice advice = wheel.press_done();
+        if (advice == WheelRig::Advice::kNone || taken == kPatience) return taken;
+        person.wait(person.uniform(1.0, 3.0));
+        if (advice == WheelRig::Advice::kOpen) {
+            for (int i = 0; i < 8 && wheel.depth_mm() < 18.0; ++i)
+                press_middle(person, person.uniform(1.0, 3.0));
+        } else {
+            draw_up(person, 1 + static_cast<int>(person.uniform(0.0, 2.0)), 1.5, 4.0);
+        }
+        person.go_to_done();
     }
-    person.go_to_done();
 }
 
 // The lesson, slowly, with rests of up to 15 s after some of the strokes.
@@ -663,13 +668,7 @@ Visit throw_a_pot(Kind kind, std::uint64_t seed, const Skill& skill, WheelRig& r
             break;
     }
     person.go_to_done();
-    constexpr int kPatience = 2;
-    while (hand.heeds_done) {
-        const WheelRig::Advice advice = rig.press_done();
-        if (advice == WheelRig::Advice::kNone || visit.advised == kPatience) break;
-        take_advice(person, advice);
-        ++visit.advised;
-    }
+    if (hand.heeds_done) visit.advised = heed_done(person);
     visit.seconds = person.released_s();
     visit.made_s = person.made_s;
     return visit;
