@@ -73,13 +73,20 @@ void draw_rings(DrawList& list, const ForceTouch& touch, float u) {
     for (std::size_t i = 0; i + 1 < count; ++i) {
         const std::array corners{touch.upper_px[i], touch.upper_px[i + 1], touch.lower_px[i + 1],
                                  touch.lower_px[i]};
-        list.add_polygon(corners, design::kAmber.with_alpha(0.30F));
+        list.add_polygon(corners, design::kAmber.with_alpha(0.30F * facing(i, count)));
     }
+    const bool is_inside = touch.upper_px.empty();
+    const auto line = [&](const std::vector<vec2>& points, float width_u, const Colour& colour) {
+        if (is_inside) return list.add_line(points, width_u * u, colour);  // whole circles
+        draw_across(points, [&](std::span<const vec2> part, float strength) {
+            list.add_line(part, width_u * u, colour.with_alpha(colour.a * strength));
+        });
+    };
     for (const std::vector<vec2>& ring : touch.rings_px)
-        list.add_line(ring, 1.0F * u, design::kWhiteSlip.with_alpha(0.75F));
+        line(ring, 1.0F, design::kWhiteSlip.with_alpha(0.75F));
     for (const std::vector<vec2>* edge : {&touch.upper_px, &touch.lower_px}) {
-        list.add_line(*edge, 5.0F * u, design::kNight.with_alpha(0.5F));
-        list.add_line(*edge, 2.5F * u, design::kWhiteSlip);
+        line(*edge, 5.0F, design::kNight.with_alpha(0.5F));
+        line(*edge, 2.5F, design::kWhiteSlip);
     }
 }
 
@@ -88,9 +95,10 @@ struct Named {
     vec2 tip;
 };
 
-// Draws the names in a column beside the contact, away from the pot's middle, with a leader line to each
-// arrow's tip: names at the tips would cover other arrows.
-void draw_names(const std::vector<Named>& named, const ForceParts& parts, const ForcePainter& painter) {
+// Draws the names in a column beside the contact, away from the pot's middle and above a hand that comes from
+// there, with a leader line to each arrow's tip: names at the tips would cover other arrows.
+void draw_names(const std::vector<Named>& named, bool is_beside, const ForceParts& parts,
+                const ForcePainter& painter) {
     if (named.empty()) return;
     const float u = painter.px_per_u;
     float left = named.front().tip.x;
@@ -101,12 +109,13 @@ void draw_names(const std::vector<Named>& named, const ForceParts& parts, const 
     }
     const bool is_right = 0.5F * (left + right) >= painter.bounds_px.centre().x;
     constexpr float kAsideU = 34.0F;
+    const float above_u = is_beside ? 128.0F : 0.0F;
     std::vector<Rect> boxes;
     for (const Named& one : named) {
         const Item& item = parts.names[static_cast<std::size_t>(one.force)];
         const vec2 size = u * vec2(item.rect.width, item.rect.height);
         boxes.push_back({is_right ? right + kAsideU * u : left - kAsideU * u - size.x,
-                         one.tip.y - 0.5F * size.y, size.x, size.y});
+                         one.tip.y - above_u * u - 0.5F * size.y, size.x, size.y});
     }
     keep_apart(boxes, painter.bounds_px, 4.0F * u);
     for (std::size_t i = 0; i < named.size(); ++i) {
@@ -391,7 +400,7 @@ void draw_touches(const ForceFrame& frame, const ForceParts& parts, const ForceP
             if (i == 0) named.push_back({force, tip});
         }
     }
-    draw_names(named, parts, painter);
+    draw_names(named, !frame.touches.empty() && frame.touches.front().is_beside, parts, painter);
 }
 
 void add_forces(Page& page) {

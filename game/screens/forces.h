@@ -69,6 +69,7 @@ struct ForceTouch {
     // The upper and lower edge of the touched band; empty if seen through the pot's mouth.
     std::vector<vec2> upper_px{};
     std::vector<vec2> lower_px{};
+    bool is_beside = true;  // the hand comes from beside, not from above
 };
 
 struct ForceFrame {

@@ -40,10 +40,8 @@ bool are_alike(const Item& a, const Item& b) {
            a.motion == b.motion;
 }
 
-struct Moved {
-    float alpha = 1.0F;
-    float down_u = 0.0F;
-};
+}  // namespace
+
 Moved moved(const Motion& motion, double since_s) {
     // Two slow waves whose beat does not repeat within a visit; slower than the three flashes a second of
     // WCAG 2.3.1.
@@ -61,6 +59,8 @@ Moved moved(const Motion& motion, double since_s) {
 Moved moved_to_the_end(const Motion& motion) {
     return {.alpha = motion.to_alpha};
 }
+
+namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 

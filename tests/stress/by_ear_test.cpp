@@ -1,10 +1,11 @@
 // Visitors who see nothing: they decide by the words that reach the synthesiser alone, and press keys, from
-// the attract screen to a kept pot, which must be a good one. One works the buttons by keys, one by a single
-// switch.
+// the attract screen to a kept pot, which must be a good one. One works the buttons by keys, one throws with
+// the arrow keys and Enter alone, one by a single switch.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -61,13 +62,19 @@ class ByEar : public testing::Test {
     // Waits for up to that many seconds of the visit until a line with these words was said to its end: what
     // another line cuts off is not understood. What was said before does not count again.
     bool hears(std::string_view words, double within_s, double frame_s = kFrameS) {
+        return !hears_any({words}, within_s, frame_s).empty();
+    }
+    // The first line with any of these words; empty if there was none.
+    std::string hears_any(std::initializer_list<std::string_view> all_words, double within_s,
+                          double frame_s = kFrameS) {
         const double until_s = kiosk.now_s() + within_s;
         for (; kiosk.now_s() < until_s; lives(frame_s)) {
             listens();
             for (; taken < all.size(); ++taken)
-                if (has(all[taken], words)) return ++taken > 0;
+                for (const std::string_view words : all_words)
+                    if (has(all[taken], words)) return all[taken++];
         }
-        return false;
+        return {};
     }
     void listens() {
         if (!saying.empty() && kiosk.now_s() >= said_s) all.push_back(std::exchange(saying, {}));
@@ -84,6 +91,11 @@ class ByEar : public testing::Test {
             static_cast<void>(kiosk.until([n = 0]() mutable { return n++ > 0; }, frame_s));
         }
     }
+    void waits(double seconds) {
+        const double until_s = kiosk.now_s() + seconds;
+        for (; kiosk.now_s() < until_s; lives(kFrameS))
+            listens();
+    }
     void presses(Key key) {
         taken = all.size();
         saying.clear();
@@ -97,10 +109,13 @@ class ByEar : public testing::Test {
     // What to do to come to a button, and to press it.
     virtual bool chooses(std::string_view words) = 0;
 
+    virtual void comes_to_the_foot() {}
+    [[nodiscard]] virtual Key first_key() const { return Key::kTab; }
+
     // From the attract screen to the clay, and from the finished pot to the shelf.
     void comes() {
         ASSERT_TRUE(hears("Touch anywhere, press any key", 20.0));
-        presses(Key::kTab);
+        presses(first_key());
         ASSERT_TRUE(hears("What will you make?", 20.0));
         ASSERT_TRUE(hears("W says where you are", 30.0)) << "how to go on";
         ASSERT_TRUE(chooses("As you like"));
@@ -124,11 +139,12 @@ class ByEar : public testing::Test {
         constexpr int kMostPulls = 6;
         for (int i = 0; i < kMostPulls; ++i) {
             ASSERT_TRUE(chooses("Done. Cut the pot off the wheel"));
-            if (!hears("still thick", 12.0)) break;
+            if (!has(hears_any({"still thick", "Drying"}, 20.0), "still thick")) break;
             ASSERT_TRUE(chooses("Back to the wheel"));
             pulls();
         }
-        if (hears("Turn the foot", 20.0)) {
+        if (has(hears_any({"Turn the foot", "Decorate the pot"}, 20.0), "Turn the foot")) {
+            comes_to_the_foot();
             ASSERT_TRUE(chooses("Leave the foot as it is"));
         }
         ASSERT_TRUE(heard_or_hears("Decorate the pot", 20.0));
@@ -190,6 +206,57 @@ TEST_F(ByKeysAndEar, AVisitorWhoIsShownEachStepKeepsAGoodPot) {
     ASSERT_NO_FATAL_FAILURE(throws());
     presses(Key::kW);
     ASSERT_TRUE(hears("Open", 20.0)) << "asked, the kiosk says how the clay stands";
+    ASSERT_NO_FATAL_FAILURE(ends());
+    expect_good_pot();
+}
+
+class ByArrowsAndEar : public ByEar {
+  protected:
+    [[nodiscard]] Key first_key() const override { return Key::kRight; }
+    bool chooses(std::string_view words) override {
+        constexpr int kMostButtons = 30;
+        constexpr double kANameS = 10.0;
+        for (int i = 0; i < kMostButtons; ++i) {
+            if (!has(name_, words)) {
+                presses(at_clay_ ? Key::kEnter : Key::kRight);
+                if (!hears({}, kANameS)) return false;
+                name_ = all.back();
+                at_clay_ = has(name_, "your hand");
+                continue;
+            }
+            presses(Key::kEnter);
+            name_.clear();
+            return true;
+        }
+        return false;
+    }
+    void comes_to_the_foot() override { at_clay_ = hears("The arrow keys are your hand", 20.0); }
+    // An arrow key, `times` in a row, and to listen, until the words are heard.
+    bool until_heard(Key key, int times, std::string_view words) {
+        constexpr int kMostRounds = 20;
+        constexpr double kListensS = 9.0;
+        for (int round = 0; round < kMostRounds; ++round) {
+            for (int i = 0; i < times; ++i) {
+                kiosk.press_key(key);  // which cuts nothing off that is said of the clay
+                waits(0.3);
+            }
+            if (hears(words, kListensS)) return true;
+        }
+        return false;
+    }
+    std::string name_;
+    bool at_clay_ = false;
+};
+
+TEST_F(ByArrowsAndEar, AVisitorThrowsAndKeepsAGoodPot) {
+    ASSERT_NO_FATAL_FAILURE(comes());
+    at_clay_ = true;
+    ASSERT_TRUE(hears("The arrow keys are your hand", 60.0));
+    ASSERT_TRUE(until_heard(Key::kLeft, 4, "Step two"));
+    ASSERT_TRUE(until_heard(Key::kUp, 1, "At the rim"));
+    ASSERT_TRUE(until_heard(Key::kUp, 1, "Over the middle"));
+    ASSERT_TRUE(until_heard(Key::kDown, 4, "Step three"));
+    ASSERT_TRUE(until_heard(Key::kUp, 4, "16 centimetres"));
     ASSERT_NO_FATAL_FAILURE(ends());
     expect_good_pot();
 }

@@ -1,6 +1,7 @@
 // Films visitors at the whole kiosk: a sheet of pictures for each, for inspection. Not a test.
 //   visitors_film_strip FOLDER                           a lesson, a bowl, a vase, a scribble
 //   visitors_film_strip FOLDER KIND SEED [FROM_S TO_S]   one visitor, or some seconds of the visit
+// Each visit goes on to the kept pot.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,6 +62,7 @@ bool film(const std::filesystem::path& folder, const Take& take) {
     const test::TemporaryFolder gallery;
     FilmedRig rig(gallery.path(), kEveryS);
     static_cast<void>(throw_a_pot(take.kind, take.seed, {}, rig));
+    if (!rig.finishes()) fmt::print(stderr, "visitors_film_strip: the visit ended before its pot was kept\n");
     const auto shots = chosen(rig.film(), take);
     std::string name(kKindNames[static_cast<std::size_t>(take.kind)]);
     std::replace(name.begin(), name.end(), ' ', '-');

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "game/app/kiosk/finger/kiosk_touch.h"
 
@@ -54,13 +55,43 @@ void FilmedRig::frame(const dvec2& pointer_mm, bool pressed) {
     kiosk_.point(at_px.x, at_px.y);
     if (pressed != was_pressed_) kiosk_.hold(pressed);
     was_pressed_ = pressed;
+    pass_frame();
+    if (kiosk_.now_s() - began_s_ < next_s_) return;
+    next_s_ = kiosk_.now_s() - began_s_ + every_s_;
+    take_picture(at_px, pressed);
+}
+
+void FilmedRig::pass_frame() {
     std::this_thread::sleep_until(last_ + kFrame);
     const Clock::time_point now = Clock::now();
     kiosk_.frame(std::chrono::duration<double>(now - last_).count());
     last_ = now;
-    if (kiosk_.now_s() - began_s_ < next_s_) return;
-    next_s_ = kiosk_.now_s() - began_s_ + every_s_;
-    take_picture(at_px, pressed);
+}
+
+bool FilmedRig::comes_to(kiosk::Screen screen, double looks_s) {
+    constexpr double kWaitsS = 30.0;
+    last_ = Clock::now();
+    const double until_s = kiosk_.now_s() + kWaitsS;
+    std::optional<double> came_s;
+    while (kiosk_.now_s() < (came_s ? *came_s + looks_s : until_s)) {
+        pass_frame();
+        if (!came_s && kiosk_.shown_screen() == screen) came_s = kiosk_.now_s();
+        if (kiosk_.now_s() - began_s_ < next_s_) continue;
+        next_s_ = kiosk_.now_s() - began_s_ + every_s_;
+        film_.push_back({.at_s = kiosk_.now_s() - began_s_, .pressed = false, .picture = kiosk_.picture()});
+    }
+    return came_s.has_value();
+}
+
+bool FilmedRig::finishes() {
+    using kiosk::Button;
+    using kiosk::Screen;
+    if (!kiosk_.ends_throwing() || !comes_to(Screen::kFiring, 3.0)) return false;
+    const bool trims = kiosk_.state().screen == Screen::kTrim;
+    if (trims && !(comes_to(Screen::kTrim, 1.0) && kiosk_.press(Button::kSkip))) return false;
+    return comes_to(Screen::kDecorate, 1.0) && kiosk_.press(Button::kDone) && comes_to(Screen::kGlaze, 3.0) &&
+           kiosk_.press(Button::kTakeGlaze) && comes_to(Screen::kYourPot, 3.0) &&
+           kiosk_.press(Button::kKeep) && comes_to(Screen::kKeep, 4.0);
 }
 
 void FilmedRig::take_picture(const dvec2& pointer_px, bool pressed) {

@@ -33,10 +33,17 @@ class FilmedRig final : public WheelRig {
     [[nodiscard]] int steps_done() const override { return kiosk_.state().throwing.steps_done; }
     [[nodiscard]] bool shows() const override { return kiosk_.state().throwing.shown.has_value(); }
 
+    // Films the rest of the visit, from "Done" to the kept pot and its page. Returns whether it got there.
+    bool finishes();
+
     [[nodiscard]] const std::vector<Shot>& film() const { return film_; }
 
   private:
     [[nodiscard]] const pot::Pot& shape() const { return *kiosk_.snapshot().pot; }
+    // A frame in real time.
+    void pass_frame();
+    // Waits until that screen is there, and looks at it for some seconds.
+    bool comes_to(kiosk::Screen screen, double looks_s);
     void take_picture(const dvec2& pointer_px, bool pressed);
 
     mutable app::UnseenKiosk kiosk_;  // reading the newest snapshot consumes it

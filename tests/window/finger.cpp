@@ -2,10 +2,13 @@
 // syntax: "mousemove X Y", in pixels of a screen of that size, "mousedown 1", "mouseup 1", "sleep S"; and
 // "palm X Y", a hand that is laid on the screen there and stays; "second X Y" and "secondup 1", another
 // finger that comes, moves and lifts. It answers each command with a line "done". SOCKET: see input_driver.h.
+// With "pen:" before it, it is a pen's: it hovers until its tip comes down, whose pressure rises and then
+// stays.
 #include <X11/X.h>
 #include <X11/extensions/XI2.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +16,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -24,7 +28,8 @@ namespace {
 class Finger {
   public:
     Finger(const std::string& socket, double width, double height, bool is_turned)
-        : screen_(socket),
+        : is_pen_(socket.starts_with(kPen)),
+          screen_(is_pen_ ? socket.substr(kPen.size()) : socket),
           width_(width),
           height_(height),
           is_turned_(is_turned) {}
@@ -36,12 +41,22 @@ class Finger {
             if (word == "mousemove") {
                 x_ = (number(words) + 0.5) / width_;
                 y_ = (number(words) + 0.5) / height_;
-                if (is_down_) touch(kFinger, XI_TouchUpdate, x_, y_);
+                if (is_pen_) {
+                    lead_pen();
+                } else if (is_down_) {
+                    touch(kFinger, XI_TouchUpdate, x_, y_);
+                }
             } else if (word == "sleep") {
                 std::this_thread::sleep_for(std::chrono::duration<double>(number(words)));
             } else if (word == "mousedown" || word == "mouseup") {
                 if (number(words) != 1.0) throw std::runtime_error("a finger is button 1");
                 is_down_ = word == "mousedown";
+                if (is_pen_) {
+                    pressure_ = 0.0;
+                    screen_.press(1, is_down_);
+                    lead_pen();
+                    continue;
+                }
                 touch(kFinger, is_down_ ? XI_TouchBegin : XI_TouchEnd, x_, y_);
             } else if (word == "palm") {
                 const double x = (number(words) + 0.5) / width_;
@@ -61,10 +76,17 @@ class Finger {
     }
 
   private:
+    static constexpr std::string_view kPen = "pen:";
     static constexpr std::uint32_t kFinger = 1;
     static constexpr std::uint32_t kPalm = 2;
     static constexpr std::uint32_t kSecond = 3;
 
+    void lead_pen() {
+        constexpr double kStep = 100.0;
+        constexpr double kMost = 700.0;  // of 1000
+        pressure_ = is_down_ ? std::min(pressure_ + kStep, kMost) : 0.0;
+        screen_.move(x_, y_, pressure_);
+    }
     // On a panel mounted on its side the picture is turned clockwise by a quarter, but its sensor is not.
     void touch(std::uint32_t finger, std::uint32_t type, double x, double y) {
         if (is_turned_)
@@ -78,6 +100,8 @@ class Finger {
         return value;
     }
 
+    bool is_pen_;
+    double pressure_ = 0.0;  // of a pen's tip, in the driver's units
     test::InputDriver screen_;
     double width_;
     double height_;

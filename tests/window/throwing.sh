@@ -104,7 +104,7 @@ do_this_step() {
 draw_along() {
     local low=$(($1 * 3 / 10)) high=$(($1 * 8 / 10))
     case $hand in
-    mouse | touch) stroke 2 "45 $low" "45 $high" ;;
+    mouse | touch | pen) stroke 2 "45 $low" "45 $high" ;;
     keys) keys Left; pause 5; keys Up Left ;;
     switch) press "$2" hand-left; press "$2" hand-up ;;
     esac
@@ -114,7 +114,7 @@ draw_along() {
 press_in() {
     local low=$(($(clay_mm) * 3 / 10))
     case $hand in
-    mouse | touch) stroke 1.5 "66 $low" "50 $low" ;;
+    mouse | touch | pen) stroke 1.5 "66 $low" "50 $low" ;;
     keys) keys Left; pause 5 ;;
     switch) do_this_step ;;
     gamepad)
@@ -130,7 +130,7 @@ open_the_middle() {
     local top
     top=$(clay_mm)
     case $hand in
-    mouse | touch) stroke 2 "0 $((top + 1))" "0 $((top - 35))" ;;
+    mouse | touch | pen) stroke 2 "0 $((top + 1))" "0 $((top - 35))" ;;
     keys)  # up the wall and over the rim; stays there if it is there already
         keys Up Up Up Up Up Up Up Up Up Up Up Up Up Up
         keys Down Down Down
@@ -152,7 +152,7 @@ draw_up() {
     top=$(clay_mm)
     to=$((top + 35 < 138 ? top + 35 : 138))
     case $hand in
-    mouse | touch) stroke 2.5 "58 $((top / 4))" "56 $top" "55 $to" ;;
+    mouse | touch | pen) stroke 2.5 "58 $((top / 4))" "56 $top" "55 $to" ;;
     keys) keys Up Up Up; pause 8 ;;
     switch)
         if has_done 3; then

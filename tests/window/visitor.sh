@@ -2,7 +2,7 @@
 # A visitor at the window, with any device, in any language. Sourced, never run; the script's arguments are
 # ONGGI PROGRAMS FOLDER [HAND [LANGUAGE [WIDTHxHEIGHT]]]. It starts its own display, works in FOLDER and
 # leaves a picture of each screen there. PROGRAMS: the folder of screen_targets, which prints the positions of
-# buttons, and of the programs that throwing.sh uses. HAND: mouse, touch, keys, switch (the space bar alone),
+# buttons, and of the programs that throwing.sh uses. HAND: mouse, touch, pen, keys, switch (the space bar alone),
 # gamepad or spacemouse (which have no buttons for screens: the mouse presses those). Optional variables:
 # FORGIVING: whether the clay is stronger than real clay; BACKEND: the renderer's backend; SHARES: also takes
 # the pot home by phone; CAGED: a compositor has opened a display already, where the kiosk is full screen and
@@ -34,14 +34,16 @@ server=
 trap 'kill $kiosk $server 2>/dev/null || true' EXIT
 if [ -z "${CAGED:-}" ]; then
     case $hand in
-    touch) open_touch_display . "$size" ;;
+    touch | pen) open_touch_display . "$size" ;;
     *) open_display . "$size" ;;
     esac
 fi
 listen_for_life
-if [ "$hand" = touch ]; then
+if [ "$hand" = touch ] || [ "$hand" = pen ]; then
     mkfifo to_hands from_hands
-    "$programs/finger" "${TOUCH_SCREEN:-touch-screen}" "$width" "$height" ${TURNED:+turned} <to_hands >from_hands 2>>kiosk.log &
+    touched=${TOUCH_SCREEN:-touch-screen}
+    [ "$hand" = pen ] && touched="pen:pen"
+    "$programs/finger" "$touched" "$width" "$height" ${TURNED:+turned} <to_hands >from_hands 2>>kiosk.log &
     exec 8>to_hands 9<from_hands
 fi
 
@@ -112,7 +114,7 @@ at() {
 # point WORD...: moves a mouse, in xdotool's syntax, or a finger on a real touch screen.
 point() {
     case $hand in
-    touch) hands "$@" ;;
+    touch | pen) hands "$@" ;;
     *) xdotool "$@" ;;
     esac
 }
@@ -184,7 +186,7 @@ begin_visit() {
     [ -z "${CAGED:-}" ] || fills_the_screen
     on_screen attract
     case $hand in
-    mouse | touch) click $((width / 2)) $((height / 2)) ;;
+    mouse | touch | pen) click $((width / 2)) $((height / 2)) ;;
     keys) xdotool key Tab ;;
     switch) xdotool key space ;;
     *)  # a late frame may miss a stick that was pushed for a moment

@@ -28,6 +28,13 @@ struct Motion {
 
     friend bool operator==(const Motion&, const Motion&) = default;
 };
+// How an item stands some seconds after its screen has come, and at the end.
+struct Moved {
+    float alpha = 1.0F;
+    float down_u = 0.0F;
+};
+[[nodiscard]] Moved moved(const Motion& motion, double since_s);
+[[nodiscard]] Moved moved_to_the_end(const Motion& motion);
 
 struct Item {
     ui::Rect rect;
@@ -97,6 +104,7 @@ struct Composition {
     std::vector<Item> items;
     std::vector<Target> targets;
     std::vector<Writing> writings;
+    std::vector<std::string> told;             // to visitors by ear, of a staff's panel, in English
     std::vector<ui::Rect> pots;                // must stay free of words
     std::shared_ptr<const ForceParts> forces;  // set if forces may be shown
     bool has_cue = false;                      // the clay can be touched, so cues are shown

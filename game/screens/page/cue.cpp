@@ -39,19 +39,52 @@ void draw_hatch(DrawList& list, const Band& band, const Colour& colour, float dr
     }
 }
 
-void draw_edge(DrawList& list, const std::vector<vec2>& edge, float alpha, float u) {
+}  // namespace
+
+float facing(std::size_t segment, std::size_t points) {
+    constexpr float kTurns = 0.3F;
+    const float across = (static_cast<float>(segment) + 0.5F) / static_cast<float>(points - 1);
+    return std::min(1.0F, std::min(across, 1.0F - across) / kTurns);
+}
+
+void draw_across(std::span<const vec2> edge, const std::function<void(std::span<const vec2>, float)>& draw) {
+    constexpr float kHidden = 0.02F;
+    constexpr float kWhole = 0.12F;
+    constexpr float kSteps = 4.0F;
+    if (edge.size() < 2) return;
+    const float width = std::max(1.0F, edge.back().x - edge.front().x);
+    const auto strength = [&](std::size_t segment) {
+        const float at = (0.5F * (edge[segment].x + edge[segment + 1].x) - edge.front().x) / width;
+        const float inward = (std::min(at, 1.0F - at) - kHidden) / (kWhole - kHidden);
+        return std::ceil(kSteps * std::clamp(inward, 0.0F, 1.0F)) / kSteps;
+    };
+    for (std::size_t first = 0, end = 1; end < edge.size(); first = end++) {
+        const float here = strength(first);
+        while (end + 1 < edge.size() && strength(end) == here)
+            ++end;
+        if (here > 0.0F) draw(edge.subspan(first, end - first + 1), here);
+    }
+}
+
+namespace {
+
+void draw_ring(DrawList& list, std::span<const vec2> edge, float alpha, float u) {
     list.add_line(edge, 7.0F * u, design::kNight.with_alpha(0.55F * alpha));
     list.add_line(edge, 3.4F * u, design::kOutline.with_alpha(alpha));
+}
+
+void draw_edge(DrawList& list, const std::vector<vec2>& edge, float alpha, float u) {
+    draw_across(edge, [&](std::span<const vec2> part, float strength) {
+        draw_ring(list, part, alpha * strength, u);
+    });
 }
 
 // Draws the belt as slip, thinner at the sides where the wall turns away.
 void draw_slip(DrawList& list, const Band& belt, float alpha) {
     const std::size_t count = points_of(belt);
     for (std::size_t i = 0; i + 1 < count; ++i) {
-        const float across = (static_cast<float>(i) + 0.5F) / static_cast<float>(count - 1);
-        const float inward = std::min(1.0F, std::min(across, 1.0F - across) / 0.3F);
         const std::array corners{belt.upper[i], belt.upper[i + 1], belt.lower[i + 1], belt.lower[i]};
-        list.add_polygon(corners, kCream.with_alpha((0.05F + 0.25F * inward) * alpha));
+        list.add_polygon(corners, kCream.with_alpha(0.3F * facing(i, count) * alpha));
     }
 }
 
@@ -113,7 +146,7 @@ std::string_view key_of(CueGuard guard) {
 void draw_cue(DrawList& list, const Cue& cue, float alpha, float px_per_u) {
     const float u = px_per_u;
     if (cue.ring.size() > 2) {
-        draw_edge(list, cue.ring, alpha, u);
+        draw_ring(list, cue.ring, alpha, u);
     } else if (points_of(cue.belt) > 1) {
         draw_slip(list, cue.belt, alpha);
         if (cue.guard != CueGuard::kNone)

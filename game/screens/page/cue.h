@@ -3,6 +3,8 @@
 // thread. Pixels.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +43,12 @@ struct Cue {
     CueGuard guard = CueGuard::kNone;
     bool words_on_left = false;  // words left of the belt, away from the hand
 };
+
+// How far a segment of a line across the clay faces the viewer, 0 at both sides to 1.
+[[nodiscard]] float facing(std::size_t segment, std::size_t points);
+// Draws the parts of a line across the clay, from left to right, with their strengths: it fades out at both
+// sides, where the wall turns away and hands stand before it.
+void draw_across(std::span<const vec2> edge, const std::function<void(std::span<const vec2>, float)>& draw);
 
 // alpha is its opacity, 0 to 1.
 void draw_cue(ui::DrawList& list, const Cue& cue, float alpha, float px_per_u);

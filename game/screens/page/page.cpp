@@ -623,33 +623,35 @@ void Page::toggle(const Rect& rect, Icon icon, bool on, kiosk::Button button, co
 
 // The backgrounds of screens: the museum's wall and shelf, the ledge of the bench.
 
-void Page::museum(vec2 light, vec2 reach, float strength) {
-    covers();
-    // A radial fall-off as a grid of shaded boxes: the software renderer fills them five times as fast as a
-    // texture.
+void Page::shade(const Rect& rect, const std::function<Colour(vec2)>& colour_at) {
     constexpr int kColumns = 32;
     constexpr int kRows = 18;
+    const vec2 step(rect.width / kColumns, rect.height / kRows);
+    const auto corner = [&](int column, int row) {
+        return vec2(rect.x, rect.y) + step * vec2(static_cast<float>(column), static_cast<float>(row));
+    };
+    for (int row = 0; row < kRows; ++row) {
+        for (int column = 0; column < kColumns; ++column) {
+            const vec2 at = corner(column, row);
+            box({at.x, at.y, step.x, step.y},
+                {colour_at(at), colour_at(corner(column + 1, row)), colour_at(corner(column + 1, row + 1)),
+                 colour_at(corner(column, row + 1))});
+        }
+    }
+}
+
+void Page::museum(vec2 light, vec2 reach, float strength) {
+    covers();
     const Rect& bounds = composition_.bounds;
     const vec2 wall_centre(0.5F * bounds.width, 0.34F * bounds.height);
     const vec2 wall_reach(0.75F * bounds.width, 0.85F * bounds.height);
-    const auto colour_at = [&](int column, int row) {
-        const vec2 at(bounds.width * static_cast<float>(column) / kColumns,
-                      bounds.height * static_cast<float>(row) / kRows);
+    shade(bounds, [&](vec2 at) {
         const float away = std::min(1.0F, glm::length((at - wall_centre) / wall_reach));
         const Colour wall = away < 0.48F ? ui::mix(design::kWallLight, design::kWall, away / 0.48F)
                                          : ui::mix(design::kWall, design::kWallDark, (away - 0.48F) / 0.52F);
         const float near = std::max(0.0F, 1.0F - glm::length((at - light) / reach));
         return ui::mix(wall, ui::hex(0xffe6be), strength * near).with_alpha(1.0F);
-    };
-    for (int row = 0; row < kRows; ++row) {
-        for (int column = 0; column < kColumns; ++column) {
-            const Rect cell{bounds.width * static_cast<float>(column) / kColumns,
-                            bounds.height * static_cast<float>(row) / kRows, bounds.width / kColumns,
-                            bounds.height / kRows};
-            box(cell, {colour_at(column, row), colour_at(column + 1, row), colour_at(column + 1, row + 1),
-                       colour_at(column, row + 1)});
-        }
-    }
+    });
 }
 
 void Page::shelf(float top, float thickness) {

@@ -3,6 +3,7 @@
 // u.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -131,6 +132,9 @@ class Page {
 
     void covers() { composition_.covers = true; }
     void box(const ui::Rect& rect, const std::array<ui::Colour, 4>& corners);
+    // Shades a rect by the colour of each place in u, as a grid of shaded boxes: the software renderer fills
+    // them five times as fast as a texture.
+    void shade(const ui::Rect& rect, const std::function<ui::Colour(vec2)>& colour_at);
     void down(const ui::Rect& rect, const ui::Colour& top, const ui::Colour& bottom);
     void across(const ui::Rect& rect, const ui::Colour& left, const ui::Colour& right);
     void sprite(const ui::Rect& rect, ui::Sketch sketch, int target = -1);
@@ -190,6 +194,10 @@ class Page {
     }
     // Adds to what is said of the newest target: that it is chosen.
     void say_chosen();
+    // Adds to what is said of the newest target.
+    void say_more(const std::string& words) { composition_.targets.back().spoken += " " + words; }
+    // What a staff's panel says beside its buttons, in English.
+    void tell(std::string words) { composition_.told.push_back(std::move(words)); }
     // The index of English among the languages, or 0 if it is missing.
     [[nodiscard]] int english() const;
 

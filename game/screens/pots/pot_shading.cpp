@@ -72,7 +72,7 @@ vec3 PotShading::reflected(const vec3& direction) const {
         return glm::smoothstep(low - softness, low + softness, value) *
                (1.0F - glm::smoothstep(high - softness, high + softness, value));
     };
-    const float side = std::atan2(direction.x, std::max(0.05F, direction.z));
+    const float side = std::atan2(direction.x, direction.z);  // 0: towards the visitor
     const float up = direction.y;
     const float bar = 1.0F - 0.7F * within(side, -0.93F, -0.87F);
     const float window = within(side, -1.28F, -0.55F) * within(up, 0.05F, 0.80F) * bar;

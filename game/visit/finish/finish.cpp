@@ -1,4 +1,6 @@
 // From the wheel to the glaze: the pot is cut off, dried, decorated, fired and glazed.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,25 +46,22 @@ const finish::GlazeMaterial& glowing_clay() {
     return clay;
 }
 
-// Draws the kiln's opening. `floor` is the middle of its floor.
-void kiln(Page& page, vec2 floor, float scale) {
-    page.covers();
-    const float width = page.width();
-    const float height = page.height();
-    const Rect all{0.0F, 0.0F, width, height};
-    page.box(all, {ui::hex(0x1b0f09), ui::hex(0x1b0f09), ui::hex(0x1b0f09), ui::hex(0x1b0f09)});
-    const float half = 330.0F * scale;
-    const float tall = 510.0F * scale;
-    const Rect field{floor.x - half, floor.y - tall, 2.0F * half, tall + 4.0F};
-    // The glow is wider than most screens; only its visible part is painted.
-    const Rect shine{floor.x - 2.0F * half, floor.y - 1.75F * tall, 4.0F * half, 2.6F * tall};
-    const Rect seen = ui::overlap(shine, all);
-    ui::Sketch glow;
-    glow.add(ui::Ellipse{{shine.x - seen.x, shine.y - seen.y, shine.width, shine.height},
-                         ui::Fill::round(ui::hex(0xc2561c, 0.85F), ui::hex(0x1b0f09, 0.0F))});
-    page.moving({.flicker = 0.22F}, [&] { page.sprite(seen, std::move(glow)); });
+constexpr float kKilnHalf = 330.0F;
+constexpr float kKilnTall = 510.0F;
+constexpr ui::Colour kKilnDark = ui::hex(0x1b0f09);
+
+Rect kiln_field(vec2 floor, float scale) {
+    return {floor.x - kKilnHalf * scale, floor.y - kKilnTall * scale, 2.0F * kKilnHalf * scale,
+            kKilnTall * scale + 4.0F};
+}
+
+void dark(Page& page) {
+    page.box({0.0F, 0.0F, page.width(), page.height()}, {kKilnDark, kKilnDark, kKilnDark, kKilnDark});
+}
+
+// Draws the arch and the fire's light in it, in a field of 660 x 510. `floor` is the middle of its floor.
+void kiln_mouth(Page& page, vec2 floor, float scale) {
     ui::Sketch sketch;
-    // The arch and bricks are drawn in a field of 660 x 510.
     const ui::Placing placing{.at = {0.0F, 0.0F}, .scale = vec2(scale)};
     const char* const kMouth = "M60 510 V280 C60 110 170 34 330 34 C490 34 600 110 600 280 V510 Z";
     sketch.add(ui::Shape{.path = kMouth, .placing = placing, .fill = ui::hex(0xb84f18)});
@@ -85,7 +84,75 @@ void kiln(Page& page, vec2 floor, float scale) {
     bricks += "M37 350 H83 M577 350 H623 M37 420 H83 M577 420 H623 M37 490 H83 M577 490 H623";
     sketch.add(ui::Shape{
         .path = bricks, .placing = placing, .stroke = ui::hex(0x4d2612, 0.9F), .stroke_width = 3.0F});
-    page.sprite(field, std::move(sketch));
+    page.sprite(kiln_field(floor, scale), std::move(sketch));
+}
+
+// Draws the kiln alone, in the dark. `floor` as above.
+void kiln(Page& page, vec2 floor, float scale) {
+    page.covers();
+    dark(page);
+    const float half = kKilnHalf * scale;
+    const float tall = kKilnTall * scale;
+    const Rect shine{floor.x - 2.0F * half, floor.y - 1.75F * tall, 4.0F * half, 2.6F * tall};
+    const vec2 reach(0.5F * shine.width, 0.5F * shine.height);
+    page.moving({.flicker = 0.22F}, [&] {
+        page.shade(ui::overlap(shine, {0.0F, 0.0F, page.width(), page.height()}), [&](vec2 at) {
+            const float away = std::min(1.0F, glm::length((at - shine.centre()) / reach));
+            return ui::mix(ui::hex(0xc2561c, 0.85F), ui::hex(0x1b0f09, 0.0F), away);
+        });
+    });
+    kiln_mouth(page, floor, scale);
+}
+
+// In front of the pot's foot.
+constexpr float kBeforeFloor = 12.0F;
+
+// How far the door is raised, out of the picture.
+float door_way(vec2 floor) {
+    return floor.y + 2.0F * kBeforeFloor;
+}
+
+// The door of bricks, which is lowered before the mouth and raised again; the fire shines through its joints.
+void kiln_door(Page& page, vec2 floor, float scale) {
+    constexpr Rect kDoorField{62.0F, 36.0F, 536.0F, 478.0F};
+    constexpr float kMiddle = 330.0F;
+    constexpr float kSpring = 280.0F;  // from here up the door is an arch
+    constexpr float kHalf = 256.0F;
+    constexpr float kRise = 232.0F;
+    constexpr float kCourse = 46.0F;
+    constexpr float kBrick = 104.0F;
+    const auto half_at = [&](float y) {
+        const float above = std::max(0.0F, kSpring - y) / kRise;
+        return kHalf * std::sqrt(std::max(0.0F, 1.0F - above * above));
+    };
+    std::string joints;
+    const auto line = [&](float x, float y, float to_x, float to_y) {
+        joints += fmt::format("M{:.0f} {:.0f} L{:.0f} {:.0f} ", x, y, to_x, to_y);
+    };
+    int course = 0;
+    for (float y = kKilnTall - kCourse; y > kSpring - 0.95F * kRise; y -= kCourse, ++course) {
+        const float half = half_at(y);
+        line(kMiddle - half, y, kMiddle + half, y);
+        const float under = half_at(y + kCourse);
+        const float shift = course % 2 == 0 ? 0.0F : 0.5F * kBrick;
+        for (float x = shift - 3.0F * kBrick; x <= 3.0F * kBrick; x += kBrick)
+            if (std::abs(x) < std::min(half, under) - 8.0F) line(kMiddle + x, y, kMiddle + x, y + kCourse);
+    }
+    const Rect field = kDoorField.scaled(scale);
+    const ui::Placing placing{.at = {-field.x, -field.y}, .scale = vec2(scale)};
+    const char* const kDoor = "M68 510 V280 C68 118 178 42 330 42 C482 42 592 118 592 280 V510 Z";
+    ui::Sketch sketch;
+    sketch.add(ui::Shape{.path = kDoor,
+                         .placing = placing,
+                         .fill = ui::hex(0x4a2816),
+                         .stroke = ui::hex(0x1b0f09),
+                         .stroke_width = 7.0F});
+    sketch.add(ui::Shape{
+        .path = joints, .placing = placing, .stroke = ui::hex(0xf08a34, 0.62F), .stroke_width = 3.0F});
+    sketch.add(ui::Ellipse{Rect{296.0F, 190.0F, 68.0F, 68.0F}.scaled(scale).moved({-field.x, -field.y}),
+                           ui::Fill::round(ui::hex(0xffdf9c), ui::hex(0xf0701c, 0.0F))});
+    const vec2 corner = floor - scale * vec2(kMiddle, kKilnTall) + vec2(0.0F, kBeforeFloor);
+    page.sprite(field.moved(corner), std::move(sketch));
 }
 
 // The layout of the glaze screen's words and tokens, before mirroring.
@@ -173,7 +240,7 @@ void fire(Page& page, vec2 floor, float scale) {
         sketch.add(ui::Ellipse{{0.0F, 0.0F, size.x, size.y},
                                ui::Fill::round(ui::hex(0xffd384, 0.75F), ui::hex(0xf0701c, 0.0F))});
         page.moving({.flicker = 0.8F, .phase_rad = phase_rad}, [&] {
-            page.sprite({corner.x, corner.y, size.x, size.y}, std::move(sketch));
+            page.sprite({corner.x, corner.y, size.x, floor.y - corner.y}, std::move(sketch));
         });
         phase_rad += 1.9F;
     }
@@ -223,6 +290,10 @@ void draw_firing(Page& page) {
         page.moving({.lasts_s = 1.1F, .from_alpha = stage == FiringStage::kCut ? 1.0F : 0.0F},
                     [&] { page.keep_clear(pot_of(place)); });
     }
+    // Who wants less motion sees the pot in the fire instead.
+    if (stage == FiringStage::kFire && !view.state.comfort.still)
+        page.moving({.begins_s = 1.3F, .lasts_s = 0.7F, .from_y_u = -door_way(floor)},
+                    [&] { kiln_door(page, floor, kiln_scale); });
     page.down({0.0F, words_y - 66.0F, width, 66.0F}, ui::hex(0x1b0f09, 0.0F), ui::hex(0x1b0f09, 0.93F));
     page.down({0.0F, words_y, width, height - words_y}, ui::hex(0x1b0f09, 0.93F), ui::hex(0x1b0f09));
     constexpr std::array kKeys{"fin.cut", "fin.dry", "fin.fire"};
@@ -282,21 +353,32 @@ void draw_glazes(Page& page) {
     const float pot_x = square ? 0.40F * width : 0.5F * width;
     const float centre_x = page.right_to_left() && square ? width - pot_x : pot_x;
     page.museum({centre_x, 0.38F * height}, {0.34F * width, 0.56F * height}, 0.30F);
-    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
-               {.text = page.t("glz.title"), .type = design::kTitle});
-    const GlazePlaces places = glaze_places(page, shelf_y);
-    page.languages_token(places.languages);
     page.shelf(shelf_y, 34.0F);
     const finish::GlazeMaterial& chosen = finish::glaze_at(glaze);
     const float box_width = page.by_shape(360.0F, 420.0F, 560.0F);
     if (view.pot) {
-        const float scale = fitting_scale(view.pot->shape, box_width, shelf_y - (tall ? 110.0F : 80.0F));
+        const float scale =
+            std::min(3.2F, fitting_scale(view.pot->shape, box_width, shelf_y - (tall ? 110.0F : 80.0F)));
         const vec2 foot(centre_x, shelf_y + 12.0F);
-        page.keep_clear(page.pot(view.pot->shape, chosen, std::min(scale, 3.2F), foot));
-        // The glaze comes out as the pot from the kiln cools.
-        page.moving({.begins_s = 0.3F, .lasts_s = 1.6F, .to_alpha = 0.0F},
-                    [&] { page.pot(view.pot->shape, glowing_clay(), std::min(scale, 3.2F), foot); });
+        // The kiln's door opens, and the glaze comes out as the pot cools.
+        const Motion cools{.begins_s = 0.8F, .lasts_s = 1.1F, .to_alpha = 0.0F};
+        constexpr float kMouthWidth = 450.0F;
+        const float kiln_scale =
+            std::max(shelf_y / kKilnTall, 2.0F * scale * view.pot->shape.radius_mm() / kMouthWidth);
+        page.moving(cools, [&] {
+            dark(page);
+            kiln_mouth(page, foot, kiln_scale);
+        });
+        page.keep_clear(page.pot(view.pot->shape, chosen, scale, foot));
+        page.moving(cools, [&] { page.pot(view.pot->shape, glowing_clay(), scale, foot); });
+        const float way = door_way(foot);
+        page.moving({.begins_s = 0.2F, .lasts_s = 0.8F, .from_y_u = way},
+                    [&] { kiln_door(page, foot - vec2(0.0F, way), kiln_scale); });
     }
+    page.words(page.mirrored({32.0F, 24.0F, width - 260.0F, 66.0F}),
+               {.text = page.t("glz.title"), .type = design::kTitle});
+    const GlazePlaces places = glaze_places(page, shelf_y);
+    page.languages_token(places.languages);
     glaze_words(page, places, chosen);
     page.token(page.mirrored(places.take), Look::kPrimary, Button::kTakeGlaze, page.named("glz.take"));
     page.token(page.mirrored(places.decorate), Look::kToken, Button::kDecorateAgain, page.named("dec.title"),

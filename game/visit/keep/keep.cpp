@@ -204,7 +204,7 @@ void keep_title(Page& page) {
     page.words(page.mirrored({32.0F, 24.0F, title_width, tall || full ? 126.0F : 66.0F}),
                {.text = full            ? page.t("keep.fail")
                         : is_kept(view) ? page.t(has_phone_card(view) ? "home.title" : "keep.title")
-                                        : "",
+                                        : page.t("keep.saving"),
                 .type = full ? design::bold(34.0F, 44.0F) : design::kTitle});
 }
 
@@ -388,7 +388,7 @@ std::string_view spoken_while_keeping(const State& state) {
         case Keeping::Outcome::kSaving:
             break;
     }
-    return {};
+    return "keep.saving";
 }
 
 }  // namespace

@@ -31,9 +31,11 @@ void ground(Page& page) {
              {kGround, kGround, kGround, kGround});
 }
 
-void key(Page& page, const Rect& rect, Button button, int value, const std::string& name,
-         bool strong = false) {
+// of: what it is for, which its line tells those who see.
+void key(Page& page, const Rect& rect, Button button, int value, const std::string& name, bool strong = false,
+         const std::string& of = {}) {
     const int target = page.plain_target(rect, button, value, name);
+    if (!of.empty()) page.say_more(of);
     ui::Sketch sketch;
     const Rect body{0.0F, 0.0F, rect.width, rect.height};
     sketch.add(ui::Box{body, 6.0F, ui::Fill::flat(strong ? ui::hex(0x454c52) : kKey)});
@@ -54,6 +56,7 @@ Words plain(const std::string& text, const Page& page, const ui::Colour& colour 
 void title_bar(Page& page) {
     page.box({0.0F, 0.0F, page.width(), 62.0F}, {kBar, kBar, kBar, kBar});
     Words title = plain("Staff panel", page);
+    page.tell(title.text);
     title.type = title.type.bold_if(true);
     page.fixed_words({24.0F, 13.0F, 0.4F * page.width(), 40.0F}, title);
     Words name = plain(page.view().staff_title, page);
@@ -81,6 +84,7 @@ void draw_question(Page& page) {
     page.box(box, {kBar, kBar, kBar, kBar});
     Words words = plain(question, page);
     words.align = ui::Align::kCentre;
+    page.tell(question);
     page.fixed_words({box.x + 24.0F, box.y + 28.0F, width - 48.0F, 76.0F}, words);
     const float half = 0.5F * (width - 72.0F);
     key(page, {box.x + 24.0F, box.bottom() - 96.0F, half, 72.0F}, Button::kStaffNo, 0, "No", true);
@@ -145,17 +149,19 @@ int draw_lines(Page& page, const Rect& rect) {
         const float height = has_key ? std::max(kKeyHeight, words_height) + kRoom
                                      : std::max(kStep, words_height + kStep - value.type.line);
         if (y + height > rect.bottom() + 4.0F) break;
+        page.tell(fmt::format("{}: {}", line->name, line->value));
         page.fixed_words({rect.x, y, name_width, words_height}, name);
         page.fixed_words({rect.x + name_width + kGap, y, value_width, words_height}, value);
         if (line->pot >= 0) {
             key(page, {rect.right() - kDeleteWidth, y - 8.0F, kDeleteWidth, kKeyHeight},
-                Button::kStaffDeletePot, line->pot, "Delete");
+                Button::kStaffDeletePot, line->pot, "Delete", false, line->name);
         }
         if (line->code >= 0) {
             key(page, {rect.right() - delete_width - kWithdrawWidth, y - 8.0F, kWithdrawWidth, kKeyHeight},
-                Button::kStaffWithdrawCode, line->code, "Withdraw");
+                Button::kStaffWithdrawCode, line->code, "Withdraw", false, line->name);
         }
         if (!has_key && !line->status.empty()) {
+            if (line->status != "ok") page.tell(line->status);
             Words status = plain(line->status, page,
                                  line->status == "ok"     ? kOk
                                  : line->status == "warn" ? kWarn
@@ -189,14 +195,15 @@ void draw_pin(Page& page) {
     ground(page);
     const float middle = 0.5F * page.width();
     const int english = page.english();
-    page.fixed_words({middle - 300.0F, 40.0F, 600.0F, 46.0F},
-                     {.text = wait_s > 0        ? fmt::format("Not the PIN. Try again in {} s", wait_s)
+    const std::string title = wait_s > 0        ? fmt::format("Not the PIN. Try again in {} s", wait_s)
                               : staff.was_wrong ? "That was not the PIN"
-                                                : "Staff PIN",
-                      .type = design::kBody,
-                      .colour = kPale,
-                      .align = ui::Align::kCentre,
-                      .language = english});
+                                                : "Staff PIN";
+    page.tell(staff.digits == 0 ? title : fmt::format("{}: {}", title, staff.digits));
+    page.fixed_words({middle - 300.0F, 40.0F, 600.0F, 46.0F}, {.text = title,
+                                                               .type = design::kBody,
+                                                               .colour = kPale,
+                                                               .align = ui::Align::kCentre,
+                                                               .language = english});
     std::string dots;
     for (int i = 0; i < staff.digits; ++i)
         dots += "\u2022 ";
@@ -236,6 +243,7 @@ void draw_staff(Page& page) {
     for (int i = 0; i < kStaffPageCount; ++i) {
         key(page, {24.0F + static_cast<float>(i) * 168.0F, 74.0F, 156.0F, 60.0F}, Button::kStaffPage, i,
             kPages[static_cast<std::size_t>(i)], i == static_cast<int>(staff.page));
+        if (i == static_cast<int>(staff.page)) page.tell(kPages[static_cast<std::size_t>(i)]);
     }
     const bool tall = page.is_tall();
     const float side = page.is_square() ? 290.0F : 320.0F;
@@ -245,6 +253,7 @@ void draw_staff(Page& page) {
     if (!view.staff_notice.empty()) {
         constexpr float kNoticeHeight = 76.0F;
         list.height -= kNoticeHeight + 8.0F;
+        page.tell(view.staff_notice);
         page.fixed_words({list.x, list.bottom() + 8.0F, list.width, kNoticeHeight},
                          plain(view.staff_notice, page, kWarn));
     }

@@ -107,7 +107,7 @@ void draw_trim(Page& page) {
     };
     const auto done = [&](const Rect& place) {
         page.token(page.on_ledge(place), trimming.touched ? Look::kPrimary : Look::kToken, Button::kDone,
-                   page.named("ctl.done"));
+                   page.named("trim.done"));
     };
     switch (page.shape()) {
         case Shape::kWide:

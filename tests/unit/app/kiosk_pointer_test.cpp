@@ -478,6 +478,46 @@ TEST_F(KioskPointer, WalksWithTabAndPressesWithEnter) {
     EXPECT_EQ(finger.news.back().kind, Kind::kNudged);
 }
 
+TEST_F(KioskPointer, WalksWithArrowKeysWhereTheyAreNoHand) {
+    finger.pointer.walk(Button::kHandRight);
+    EXPECT_EQ(finger.pointer.focus(), 0);
+    finger.pointer.walk(Button::kHandLeft);
+    EXPECT_EQ(finger.pointer.focus(), 2) << "round";
+    finger.pointer.look_at(&finger.composition, 2, true);
+    EXPECT_EQ(finger.pointer.focus(), 0) << "the ring stays on the next screen";
+    finger.pointer.walk(Button::kHandLeft);
+    EXPECT_EQ(finger.pointer.focus(), 1) << "onwards, from right to left";
+    finger.pointer.walk(Button::kHandDown);
+    EXPECT_EQ(finger.pointer.focus(), 2);
+    EXPECT_TRUE(finger.pointer.arrows_walk());
+    finger.types(window::Key::kTab);
+    EXPECT_FALSE(finger.pointer.arrows_walk());
+}
+
+TEST_F(KioskPointer, LeavesTheArrowKeysToTheHandAtTheClayUntilEnter) {
+    finger.pointer.walk(Button::kHandDown);
+    finger.pointer.look_at(&finger.composition, 2, false, true);
+    EXPECT_EQ(finger.pointer.focus(), -1);
+    finger.types(window::Key::kEnter);
+    EXPECT_EQ(finger.news.back().kind, Kind::kPutDown);
+    EXPECT_TRUE(finger.pressed().empty());
+    finger.pointer.begin_walk();
+    EXPECT_EQ(finger.pointer.focus(), 0);
+    finger.pointer.walk(Button::kHandLeft);
+    EXPECT_EQ(finger.pointer.focus(), -1) << "before the first";
+    finger.pointer.begin_walk();
+    for (int i = 0; i < 3; ++i)
+        finger.pointer.walk(Button::kHandRight);
+    EXPECT_EQ(finger.pointer.focus(), -1) << "beyond the last";
+    finger.pointer.look_at(&finger.composition, 3, false);
+    EXPECT_EQ(finger.pointer.focus(), 0) << "the next screen is walked again";
+    finger.pointer.walk(Button::kHandDown);
+    finger.types(window::Key::kTab);
+    finger.pointer.look_at(&finger.composition, 4, false, true);
+    EXPECT_EQ(finger.pointer.focus(), 0) << "a ring that Tab moved stays, and the arrows are the hand's";
+    EXPECT_FALSE(finger.pointer.arrows_walk());
+}
+
 TEST_F(KioskPointer, IsUsedWithOneSwitchAlone) {
     finger.types(window::Key::kSpace);
     EXPECT_TRUE(finger.pointer.scans());

@@ -28,13 +28,17 @@ class NarratorTest : public testing::Test {
         now_s += after_s;
         screens::Composed shown{std::make_shared<const screens::View>(view), {}};
         shown.composition.targets = targets;
+        shown.composition.told = told;
         std::vector<std::string> texts;
         for (const SaidLine& line : narrator.look({.shown = shown,
                                     .focus = focus,
                                     .marker = marker,
+                                    .guard = guard,
                                     .snapshot = snapshot,
                                     .now_s = now_s,
                                     .is_quiet = is_quiet,
+                                    .is_private = is_private,
+                                    .has_device = has_device,
                                     .asks_where = asks_where}))
             texts.push_back((line.is_urgent ? "! " : "") + line.text);
         return texts;
@@ -47,11 +51,15 @@ class NarratorTest : public testing::Test {
 
     screens::View view;
     std::vector<screens::Target> targets;
+    std::vector<std::string> told;
     pot::Pot pot;
     haptic::Snapshot snapshot;
     int focus = -1;
     MarkerPlace marker = MarkerPlace::kNone;
+    screens::CueGuard guard = screens::CueGuard::kNone;
     bool is_quiet = true;
+    bool is_private = false;
+    bool has_device = false;
     bool asks_where = false;
     double now_s = 100.0;
     Narrator narrator;
@@ -107,6 +115,85 @@ TEST_F(NarratorTest, TellsTheClayAtAPaceAndOnlyWhatHasChanged) {
     EXPECT_EQ(hears(10.0), Lines{"70 percent of what it can bear"});
     snapshot.load.index = 0.3;
     EXPECT_EQ(hears(10.0), Lines{});
+}
+
+TEST_F(NarratorTest, SaysWhyTheClayDoesNotFollowOnceForAWhile) {
+    view.state.screen = Screen::kThrow;
+    static_cast<void>(hears());
+    guard = screens::CueGuard::kAsHigh;
+    is_quiet = false;
+    EXPECT_EQ(hears(), Lines{}) << "not over a line";
+    is_quiet = true;
+    EXPECT_EQ(hears(), Lines{"This is as high as one pull goes. Let go and draw up once more."});
+    EXPECT_EQ(hears(), Lines{});
+    guard = screens::CueGuard::kNone;
+    EXPECT_EQ(hears(3.0), Lines{});
+    guard = screens::CueGuard::kAsHigh;
+    EXPECT_EQ(hears(3.0), Lines{}) << "the next press ends at the same";
+    guard = screens::CueGuard::kNearLimit;
+    EXPECT_EQ(hears(), Lines{"Any more and the pot would sink."}) << "another reason";
+    EXPECT_EQ(hears(20.0), Lines{"Any more and the pot would sink."});
+}
+
+TEST_F(NarratorTest, SaysWhereADeviceIsAndWhatItDoes) {
+    view.state.screen = Screen::kThrow;
+    has_device = true;
+    const Lines first = hears();
+    EXPECT_EQ(std::count_if(first.begin(), first.end(),
+                            [](const auto& line) { return line.starts_with("The device in your hand"); }),
+              1);
+    EXPECT_EQ(place_of_device({3.0, 64.0, 4.0}, pot), MarkerPlace::kMiddle);
+    EXPECT_EQ(place_of_device({3.0, 30.0, 4.0}, pot), MarkerPlace::kWall);
+    open_to(10.0);
+    EXPECT_EQ(place_of_device({40.0, 62.0, 40.0}, pot), MarkerPlace::kRim);
+    EXPECT_EQ(place_of_device({80.0, 62.0, 40.0}, pot), MarkerPlace::kWall);
+    EXPECT_EQ(place_of_device({30.0, 80.0, 0.0}, pot), MarkerPlace::kWall);
+}
+
+TEST_F(NarratorTest, TellsWhenTheArrowKeysAreAHandAgain) {
+    view.state.screen = Screen::kThrow;
+    targets = {{.button = Button::kDone, .name = "Done", .spoken = "Done."}};
+    focus = 0;
+    static_cast<void>(hears());
+    focus = -1;
+    EXPECT_EQ(hears(), Lines{"! The arrow keys are your hand"});
+    EXPECT_EQ(hears(), Lines{});
+}
+
+TEST_F(NarratorTest, ReadsTheStaffsPanelInEnglish) {
+    view.state.comfort.language = 1;
+    view.state.panel = kiosk::Panel::kStaff;
+    told = {"Staff panel", "Health", "Rate: 1000 Hz"};
+    targets = {{.button = Button::kStaffDeletePot, .name = "Delete", .spoken = "Delete Pot 7"}};
+    EXPECT_EQ(hears(), Lines{"! Staff panel, Health, Rate: 1000 Hz"});
+    told.back() = "Rate: 999 Hz";
+    EXPECT_EQ(hears(20.0), Lines{}) << "a figure that changes by itself";
+    focus = 0;
+    EXPECT_EQ(hears(), Lines{"! Delete Pot 7, 1 of 1"});
+    view.staff_notice = "The force test has ended: fine";
+    EXPECT_EQ(hears(), Lines{"! The force test has ended: fine"});
+    view.state.staff.page = kiosk::StaffPage::kVisits;
+    told = {"Staff panel", "Visits"};
+    EXPECT_EQ(hears(), Lines{"! Staff panel, Visits"});
+}
+
+// EN 301 549, 5.1.3.8: what is masked on the screen is not spoken either, unless in private.
+TEST_F(NarratorTest, NamesTheDigitsOfAPinInPrivateAlone) {
+    view.state.panel = kiosk::Panel::kPin;
+    told = {"Staff PIN"};
+    targets = {{.button = Button::kDigit, .value = 4, .name = "4", .spoken = "4"},
+               {.button = Button::kPinClose, .name = "Close", .spoken = "Close"}};
+    EXPECT_EQ(hears(), Lines{"! Staff PIN"});
+    focus = 0;
+    EXPECT_EQ(hears(), Lines{});
+    focus = 1;
+    EXPECT_EQ(hears(), Lines{"! Close, 2 of 2"});
+    is_private = true;
+    focus = 0;
+    EXPECT_EQ(hears(), Lines{"! 4, 1 of 2"});
+    view.state.staff.digits = 1;
+    told = {"Staff PIN: 1"};
+    EXPECT_EQ(hears(), Lines{"! Staff PIN: 1"});
 }
 
 TEST_F(NarratorTest, TellsEverythingToWhomeverAsks) {

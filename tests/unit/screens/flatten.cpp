@@ -40,13 +40,16 @@ class Ground {
 
 }  // namespace
 
-asset::Image flatten(const Composition& composition, const ui::Colour& ground, bool with_words) {
+asset::Image flatten(const Composition& composition, const ui::Colour& ground, bool with_words,
+                     std::optional<double> since_s) {
     const float scale = composition.px_per_u;
     const int width = static_cast<int>(std::lround(composition.bounds.width * scale));
     const int height = static_cast<int>(std::lround(composition.bounds.height * scale));
     Ground into(width, height, ground);
     for (const Item& item : composition.items) {
         if (!with_words && item.is_words) continue;
+        const Moved moves = since_s ? moved(item.motion, *since_s) : moved_to_the_end(item.motion);
+        const float strength = item.alpha * moves.alpha;
         if (!item.painting) {
             const ui::Rect rect = item.rect.scaled(scale);
             for (int y = static_cast<int>(std::lround(rect.y));
@@ -57,15 +60,15 @@ asset::Image flatten(const Composition& composition, const ui::Colour& ground, b
                     const float v = (static_cast<float>(y) + 0.5F - rect.y) / rect.height;
                     const ui::Colour colour = ui::mix(ui::mix(item.corners[0], item.corners[1], u),
                                                       ui::mix(item.corners[3], item.corners[2], u), v);
-                    into.lay(x, y, vec3(colour.r, colour.g, colour.b) * colour.a, colour.a);
+                    const float alpha = strength * colour.a;
+                    into.lay(x, y, vec3(colour.r, colour.g, colour.b) * alpha, alpha);
                 }
             }
             continue;
         }
         const int left = static_cast<int>(std::lround(item.rect.x * scale));
-        const int top = static_cast<int>(std::lround(item.rect.y * scale));
+        const int top = static_cast<int>(std::lround((item.rect.y + moves.down_u) * scale));
         const std::uint8_t* pixel = item.painting->rgba.data();
-        const float strength = item.alpha * item.motion.to_alpha;
         for (int y = 0; y < item.painting->height; ++y) {
             for (int x = 0; x < item.painting->width; ++x, pixel += 4) {
                 if (pixel[3] == 0) continue;

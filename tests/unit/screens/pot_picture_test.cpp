@@ -7,6 +7,7 @@
 #include <set>
 
 #include "game/screens/pots/pot_samples.h"
+#include "game/screens/pots/pot_shading.h"
 #include "tests/unit/screens/sample_views.h"
 
 namespace onggi::screens {
@@ -104,6 +105,26 @@ TEST(PotPicture, IsLitFromTheLeft) {
     const Mean left = mean_of(painting, painting.width / 8, 3 * painting.width / 8);
     const Mean right = mean_of(painting, 5 * painting.width / 8, 7 * painting.width / 8);
     EXPECT_GT(left.g, right.g + 10.0);
+}
+
+// What lies behind the pot is no window.
+TEST(PotPicture, ReflectsTheWindowInFrontAlone) {
+    constexpr float kElevationRad = 0.15F;
+    const PotShading shading(finish::glaze_at(0), 100.0F, kElevationRad, DrawnOn(moon_jar()));
+    const vec3 to_eye(0.0F, std::sin(kElevationRad), std::cos(kElevationRad));
+    int behind = 0;
+    float brightest = 0.0F;
+    for (float turn = -1.55F; turn < 1.55F; turn += 0.05F) {
+        for (float up = -1.5F; up < 1.5F; up += 0.05F) {
+            const vec3 normal(std::cos(up) * std::sin(turn), std::sin(up), std::cos(up) * std::cos(turn));
+            const vec3 seen = glm::reflect(-to_eye, normal);
+            if (glm::dot(normal, to_eye) < 0.0F || seen.z > -0.1F) continue;
+            ++behind;
+            brightest = std::max(brightest, shading.light({.height_mm = 80.0F, .normal = normal}).gloss.y);
+        }
+    }
+    EXPECT_GT(behind, 100);
+    EXPECT_LT(brightest, 0.25F) << "as bright as the room, not as its window";
 }
 
 TEST(PotPicture, ShowsSixGlazesThatDiffer) {

@@ -397,6 +397,28 @@ TEST_F(Theatre, HeatsThePotInAFireThatFlickersAndCoolsItToItsGlaze) {
     EXPECT_EQ(draw(9.0).hash(), cool);
 }
 
+TEST_F(Theatre, OpensTheKilnsDoorOnTheGlaze) {
+    const auto is_hidden = [&](const char* name, double since_s, bool still = false) {
+        const auto shown = composed(name, "en", still);
+        const Composition& screen = shown->composition;
+        const ui::Rect pot = screen.pots.front().grown(-12.0F);  // the box is larger than the pot
+        return std::any_of(screen.items.begin(), screen.items.end(), [&](const Item& item) {
+            if (item.motion.from_y_u == 0.0F || !item.painting) return false;
+            const Moved moves = still ? moved_to_the_end(item.motion) : moved(item.motion, since_s);
+            const ui::Rect now = item.rect.moved({0.0F, moves.down_u});
+            return moves.alpha >= 1.0F && now.x <= pot.x && now.right() >= pot.right() && now.y <= pot.y &&
+                   now.bottom() >= pot.bottom();
+        });
+    };
+    constexpr double kFireS = 2.4;
+    EXPECT_FALSE(is_hidden("firing-2", 1.2)) << "first the pot glows in the fire";
+    EXPECT_TRUE(is_hidden("firing-2", kFireS));
+    EXPECT_FALSE(is_hidden("firing-2", 0.0, true)) << "who wants less motion sees the fire";
+    EXPECT_TRUE(is_hidden("glaze-1", 0.0)) << "the next screen begins where this one ends";
+    EXPECT_FALSE(is_hidden("glaze-1", 1.0));
+    EXPECT_FALSE(is_hidden("glaze-1", 0.0, true));
+}
+
 TEST_F(Theatre, ShowsTheEndOfEveryMotionToWhoWantsLessOfIt) {
     for (const char* name : {"firing-0", "firing-1", "firing-2", "glaze-1"}) {
         Stage still;

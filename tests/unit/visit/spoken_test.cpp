@@ -38,7 +38,7 @@ TEST(Spoken, SaysWhereAVisitorIs) {
     visitor.presses(Button::kTakeGlaze);
     EXPECT_EQ(spoken_key(visitor.state), "your.title");
     visitor.presses(Button::kKeep);
-    EXPECT_EQ(spoken_key(visitor.state), "") << "not before the pot is safe";
+    EXPECT_EQ(spoken_key(visitor.state), "keep.saving") << "not before the pot is safe";
     visitor.does(event::Saved{3});
     EXPECT_EQ(spoken_key(visitor.state), "keep.title");
 }

@@ -63,6 +63,7 @@ std::vector<std::string> KioskPointer::restless() const {
 void KioskPointer::forget() {
     focus_ = -1;
     scans_ = false;
+    arrows_walk_ = false;
 }
 
 int KioskPointer::target_count() const {
@@ -104,9 +105,11 @@ bool KioskPointer::in_window(vec2 px) const {
     return px.x > -0.5F && px.y > -0.5F && px.x < size.x + 0.5F && px.y < size.y + 0.5F;
 }
 
-void KioskPointer::look_at(const screens::Composition* composition, int screen_key, bool right_to_left) {
+void KioskPointer::look_at(const screens::Composition* composition, int screen_key, bool right_to_left,
+                           bool at_clay) {
     composition_ = composition;
     right_to_left_ = right_to_left;
+    at_clay_ = at_clay;
     if (screen_key == screen_key_) {
         // If buttons were added or removed, the pressed target and the ring stay on theirs.
         pressed_ = place_of(pressed_meaning_, pressed_);
@@ -114,7 +117,8 @@ void KioskPointer::look_at(const screens::Composition* composition, int screen_k
         focus_ = ring >= 0 ? ring : std::min(focus_, target_count() - 1);
     } else {
         screen_key_ = screen_key;
-        if (focus_ >= 0 || scans_) focus_ = target_count() > 0 ? 0 : -1;
+        if (focus_ >= 0 || scans_ || arrows_walk_)
+            focus_ = target_count() > 0 && !(arrows_walk_ && at_clay_) ? 0 : -1;
         scan_is_new_ = true;
     }
     focus_meaning_ = meaning_of(focus_);
@@ -125,6 +129,25 @@ void KioskPointer::move_focus(int by) {
     if (count == 0) return;
     focus_ = focus_ < 0 ? (by > 0 ? 0 : count - 1) : (focus_ + by + count) % count;
     focus_meaning_ = meaning_of(focus_);
+}
+
+void KioskPointer::walk(kiosk::Button arrow) {
+    using kiosk::Button;
+    const Button forward = right_to_left_ ? Button::kHandLeft : Button::kHandRight;
+    const int by = arrow == forward || arrow == Button::kHandDown ? 1 : -1;
+    const int next = focus_ + by;
+    scans_ = false;
+    arrows_walk_ = true;
+    if (at_clay_ && (next < 0 || next >= target_count())) {
+        focus_ = -1;
+    } else {
+        move_focus(by);
+    }
+}
+
+void KioskPointer::begin_walk() {
+    arrows_walk_ = true;
+    if (focus_ < 0) move_focus(1);
 }
 
 void KioskPointer::press_focus(std::vector<PointerNews>& news) const {
@@ -151,12 +174,10 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
     switch (key.key) {
         case Key::kTab:
         case Key::kRightBracket:
-            scans_ = false;
-            move_focus(1);
-            return;
         case Key::kLeftBracket:
             scans_ = false;
-            move_focus(-1);
+            arrows_walk_ = false;
+            move_focus(key.key == Key::kLeftBracket ? -1 : 1);
             return;
         case Key::kUp:
             nudge(kiosk::Button::kHandUp);
@@ -183,6 +204,7 @@ void KioskPointer::handle_key(const window::KeyEvent& key, double now_s, std::ve
                 press_focus(news);
             } else {
                 scans_ = true;
+                arrows_walk_ = false;
                 move_focus(1);
             }
             scan_s_ = now_s;
@@ -292,6 +314,7 @@ void KioskPointer::handle_button(const window::ButtonEvent& button, double now_s
     if (button.pressed) {
         if (!presses_.struck_at(place(at_px_))) return;
         scans_ = false;
+        arrows_walk_ = false;
         focus_ = -1;
         if (in_corner(at_px_)) corner_s_ = now_s;
         pressed_ = target_at(at_px_);

@@ -26,7 +26,7 @@ struct PointerNews {
         kSecondMoved,
         kSecondUp,
         kHovered,     // the mouse moved with no button held
-        kNudged,      // an arrow key without a focus ring; `button` is one of the pad's
+        kNudged,      // an arrow key; `button` is one of the pad's
         kPutDown,     // Enter without a focus ring
         kCornerHeld,  // the staff's corner was held long enough
         kCloseAsked,
@@ -46,8 +46,9 @@ class KioskPointer {
     KioskPointer();
 
     // Sets the shown composition and the key of its screen. A press counts only if it ends on the screen on
-    // which it began.
-    void look_at(const screens::Composition* composition, int screen_key, bool right_to_left);
+    // which it began. at_clay: the arrow keys are a hand there.
+    void look_at(const screens::Composition* composition, int screen_key, bool right_to_left,
+                 bool at_clay = false);
     void handle(const window::Event& event, double now_s, std::vector<PointerNews>& news);
     // Once a frame: repeats, the corner, the scan.
     void pass_time(double now_s, std::vector<PointerNews>& news);
@@ -59,6 +60,12 @@ class KioskPointer {
     void leave_ring() {
         if (!scans_) focus_ = -1;
     }
+    // The arrow keys move the ring, from their first move of it or from Enter at the clay, until another key
+    // or a press moves it. At the clay it ends beyond the first and the last target.
+    [[nodiscard]] bool arrows_walk() const { return arrows_walk_ && focus_ >= 0; }
+    void walk(kiosk::Button arrow);
+    // Shows the ring, for arrow keys.
+    void begin_walk();
     [[nodiscard]] bool scans() const { return scans_; }
     // The scan waits while a voice speaks, and from its end on for as long as on any target.
     void hold_scan(bool waits) { scan_waits_ = waits; }
@@ -101,6 +108,7 @@ class KioskPointer {
     const screens::Composition* composition_ = nullptr;
     int screen_key_ = -1;
     bool right_to_left_ = false;
+    bool at_clay_ = false;
     vec2 at_px_{0.0F};
     haptics::ControlSense mouse_;
     double leapt_s_ = -1e9;         // when the mouse last moved beyond its jitter
@@ -125,6 +133,7 @@ class KioskPointer {
     std::optional<double> corner_s_;
     int focus_ = -1;
     Meaning focus_meaning_{};
+    bool arrows_walk_ = false;
     bool scans_ = false;
     double scan_s_ = 0.0;
     bool scan_waits_ = false;

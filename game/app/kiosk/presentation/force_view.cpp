@@ -160,6 +160,7 @@ screens::ForceFrame ForceView::frame(const haptic::Snapshot& snapshot, const Sig
                                const wheel::DrawnHand& drawn) {
         if (forces.contacts == 0) return;
         screens::ForceTouch touch;
+        touch.is_beside = drawn.side != tool::Side::kTop;
         const dvec3 at_mm = touched_mm(drawn.position_mm, drawn.radius_mm,
                                        shown_n_[hand][static_cast<std::size_t>(screens::Force::kStiffness)]);
         for (std::size_t k = 0; k < screens::kForceCount; ++k)

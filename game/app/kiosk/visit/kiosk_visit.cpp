@@ -145,6 +145,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
     jar_.show(wheel_scene, moment.snapshot);
     trim_.show(wheel_scene, moment.snapshot);
     const SceneMarks marks = scene_.marks(state_, moment, stage_);
+    guard_ = marks.cue ? marks.cue->guard : screens::CueGuard::kNone;
     const screens::StageFrame stage_frame{.now_s = now_s_,
                                           .pressed = input_.pointer().pressed(),
                                           .band = marks.band ? &*marks.band : nullptr,
@@ -173,7 +174,15 @@ void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
     name_window(state, snapshot.pot->height_mm);
     const auto language = static_cast<std::size_t>(state.comfort.language);
     const bool right_to_left = (*shown->view->languages)[language].right_to_left();
-    input_.pointer().look_at(&shown->composition, screen_key(state), right_to_left);
+    const visit::Finger finger = visit::open_finger(state_);
+    input_.pointer().look_at(&shown->composition, screen_key(state), right_to_left,
+                             finger == visit::Finger::kClay || finger == visit::Finger::kFoot);
+}
+
+// Of the keys, or of the device that has the tool.
+MarkerPlace KioskVisit::marker(const haptic::Snapshot& snapshot) const {
+    if (parts_.devices.holder().empty()) return marker_place(wheel_.finger().marker_mm(), *snapshot.pot);
+    return place_of_device(snapshot.tool.position_mm, *snapshot.pot);
 }
 
 void KioskVisit::speak(const VisitMoment& moment) {
@@ -191,10 +200,13 @@ void KioskVisit::speak(const VisitMoment& moment) {
     } else if (speaks) {
         lines = narrator_.look({.shown = *shown,
                                 .focus = input_.pointer().focus(),
-                                .marker = marker_place(wheel_.finger().marker_mm(), *moment.snapshot.pot),
+                                .marker = marker(moment.snapshot),
+                                .guard = guard_,
                                 .snapshot = moment.snapshot,
                                 .now_s = moment.now_s,
                                 .is_quiet = !voice.speaks(),
+                                .is_private = voice.headphones_are_in(),
+                                .has_device = parts_.devices.has_device(),
                                 .asks_where = asks_where});
     } else {
         lines = narrator_.look_for_recordings(*shown->view);

@@ -56,6 +56,7 @@ class KioskVisit final : private VisitFlow {
     void look_at_shown(const haptic::Snapshot& snapshot);
     // What a visitor by ear is told of this frame.
     void speak(const VisitMoment& moment);
+    [[nodiscard]] MarkerPlace marker(const haptic::Snapshot& snapshot) const;
     void name_window(const kiosk::ScreenState& shown, double clay_mm);
 
     VisitParts parts_;
@@ -71,6 +72,7 @@ class KioskVisit final : private VisitFlow {
     VisitScreens screens_;
     screens::Stage stage_;
     Narrator narrator_;
+    screens::CueGuard guard_ = screens::CueGuard::kNone;  // whose words the picture shows
     LogLines log_;
     const VisitMoment* moment_ = nullptr;  // of the present frame; null outside frame()
     double now_s_ = 0.0;

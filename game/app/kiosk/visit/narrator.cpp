@@ -19,6 +19,7 @@ using kiosk::Panel;
 using kiosk::Screen;
 
 constexpr double kClayEveryS = 4.0;
+constexpr double kSameGuardEveryS = 12.0;
 // Changes of the clay that are worth a word.
 constexpr int kHighMm = 8;
 constexpr int kWallMm = 3;
@@ -43,6 +44,16 @@ const kiosk::Language& language_of(const screens::View& view) {
     return (*view.languages)[std::min(place, view.languages->size() - 1)];
 }
 
+bool is_staffs(const kiosk::ScreenState& state) {
+    return state.panel != Panel::kNone && visit::overlay_of(state.panel).is_staffs;
+}
+
+// The arrow keys are a hand.
+bool has_hand(const kiosk::ScreenState& state) {
+    const visit::Finger finger = visit::step_of(state.screen).finger;
+    return state.panel == Panel::kNone && (finger == visit::Finger::kClay || finger == visit::Finger::kFoot);
+}
+
 bool throws_clay(const kiosk::ScreenState& state) {
     return state.screen == Screen::kThrow && state.panel == Panel::kNone;
 }
@@ -54,6 +65,18 @@ MarkerPlace marker_place(const std::optional<dvec2>& marker_mm, const pot::Pot& 
     if (!marker_mm) return MarkerPlace::kNone;
     if (std::abs(marker_mm->x) < kNearMm) return MarkerPlace::kMiddle;
     return marker_mm->y > shape.height_mm - kNearMm ? MarkerPlace::kRim : MarkerPlace::kWall;
+}
+
+MarkerPlace place_of_device(const dvec3& tip_mm, const pot::Pot& shape) {
+    constexpr double kOverMm = 15.0;
+    constexpr double kNearMm = 8.0;
+    const double radius_mm = std::hypot(tip_mm.x, tip_mm.z);
+    if (shape.outer_mm.empty() || tip_mm.y < shape.height_mm - kNearMm) return MarkerPlace::kWall;
+    if (radius_mm < kOverMm) return MarkerPlace::kMiddle;
+    const pot::Wall rim = rim_of(shape);
+    const bool is_at_rim = radius_mm > rim.inner_mm - kNearMm && radius_mm < rim.outer_mm + kNearMm &&
+                           tip_mm.y < shape.height_mm + kNearMm;
+    return is_at_rim ? MarkerPlace::kRim : MarkerPlace::kWall;
 }
 
 void Narrator::say(std::string_view key, std::string text, bool is_urgent) {
@@ -97,7 +120,7 @@ void Narrator::tell_pot(const screens::FiredPot& pot) {
 }
 
 // What a screen shows beside its title, for those who cannot look.
-void Narrator::tell_more(const screens::View& view) {
+void Narrator::tell_more(const screens::View& view, bool has_device) {
     const kiosk::ScreenState& state = view.state;
     if (state.panel == Panel::kCard) {
         const auto place = static_cast<std::size_t>(std::max(0, state.card));
@@ -111,7 +134,11 @@ void Narrator::tell_more(const screens::View& view) {
     }
     if (state.panel != Panel::kNone) return;
     if (state.screen == Screen::kChoose && !std::exchange(has_told_keys_, true)) say("ear.keys");
-    if (state.screen == Screen::kThrow && !std::exchange(has_told_hand_, true)) say("ear.hand");
+    if (state.screen == Screen::kThrow && !std::exchange(has_told_hand_, true)) {
+        say("ear.hand");
+        say("ear.arrows");
+        if (has_device) say("ear.device");
+    }
     if (state.screen == Screen::kFailure) say(visit::failure_key(state.throwing.collapse));
     if (state.screen == Screen::kYourPot && view.pot) tell_pot(*view.pot);
     if (state.screen == Screen::kKeep && state.keeping.outcome == kiosk::Keeping::Outcome::kKept) {
@@ -132,10 +159,14 @@ void Narrator::tell_focus(const Hearing& now, bool is_after_line) {
     const int focus = now.focus < count ? now.focus : -1;
     const std::string name = focus >= 0 ? targets[static_cast<std::size_t>(focus)].spoken : std::string();
     const bool is_new = focus != told_focus_ || name != told_target_;
+    const bool had_ring = told_focus_ >= 0;
     told_focus_ = focus;
     told_target_ = name;
+    if (focus < 0 && is_new && had_ring && has_hand(now.shown.view->state))
+        say("ear.back", language_->spoken("ear.back"), !is_after_line);
     if (focus < 0 || !(is_new || now.asks_where)) return;
     const screens::Target& target = targets[static_cast<std::size_t>(focus)];
+    if (target.button == kiosk::Button::kDigit && !now.is_private) return;
     std::string text = name;
     append(text,
            kiosk::filled_in(language_->spoken("ear.place"), std::to_string(focus + 1), std::to_string(count)),
@@ -171,6 +202,10 @@ void Narrator::tell_clay(const Hearing& now) {
         say("ear.rim", language_->spoken("ear.rim"), true);
     if (now.marker != before && now.marker == MarkerPlace::kMiddle)
         say("ear.middle", language_->spoken("ear.middle"), true);
+    const bool force_rests = now.shown.view->state.force_rests;
+    if (force_rests && !told_force_rests_) say("dev.rest");
+    told_force_rests_ = force_rests;
+    tell_guard(now);
     const Clay clay = clay_of(now.snapshot);
     if (!told_clay_) told_clay_ = clay;
     Clay& told = *told_clay_;
@@ -199,13 +234,47 @@ void Narrator::tell_clay(const Hearing& now) {
     say({}, std::move(text));
 }
 
+// Why the clay follows only in part; not the same again while a hand goes on trying.
+void Narrator::tell_guard(const Hearing& now) {
+    if (now.guard == screens::CueGuard::kNone) return;
+    const double since_s = now.now_s - guard_s_;
+    const bool is_due = now.guard != told_guard_ || since_s >= kSameGuardEveryS;
+    if (!now.asks_where && (!is_due || !now.is_quiet || !due_.empty())) return;
+    told_guard_ = now.guard;
+    guard_s_ = now.now_s;
+    say(screens::key_of(now.guard));
+}
+
+void Narrator::tell_staff(const Hearing& now) {
+    const screens::View& view = *now.shown.view;
+    const kiosk::Staff& staff = view.state.staff;
+    // Figures that change by themselves are not told again.
+    const std::string line =
+        fmt::format("{}/{}/{}/{}/{}/{}", static_cast<int>(view.state.panel), static_cast<int>(staff.page),
+                    staff.first_line, static_cast<int>(staff.question), staff.digits, staff.was_wrong);
+    const bool is_new = line != told_line_ || now.asks_where;
+    told_line_ = line;
+    std::string all;
+    for (const std::string& words : now.shown.composition.told)
+        append(all, words, *language_);
+    if (is_new) say({}, std::move(all), true);
+    if (view.staff_notice != told_notice_ && !is_new) say({}, view.staff_notice, true);
+    told_notice_ = view.staff_notice;
+    tell_focus(now, is_new);
+}
+
 std::vector<SaidLine> Narrator::look(const Hearing& now) {
     const screens::View& view = *now.shown.view;
     language_ = &language_of(view);
+    if (is_staffs(view.state)) {
+        language_ = &kiosk::built_in_languages().front();
+        tell_staff(now);
+        return std::exchange(due_, {});
+    }
     if (visit::step_of(view.state.screen).whose == visit::Whose::kNobody)
         has_told_keys_ = has_told_hand_ = false;
     const bool is_new = tell_line(view, now.asks_where);
-    if (is_new) tell_more(view);
+    if (is_new) tell_more(view, now.has_device);
     tell_focus(now, is_new);
     tell_clay(now);
     return std::exchange(due_, {});

@@ -17,14 +17,19 @@ namespace onggi::app {
 // The place of the marker that keys move, as far as keys have another meaning there.
 enum class MarkerPlace { kNone, kWall, kRim, kMiddle };
 [[nodiscard]] MarkerPlace marker_place(const std::optional<dvec2>& marker_mm, const pot::Pot& shape);
+// The same for the tip of a device.
+[[nodiscard]] MarkerPlace place_of_device(const dvec3& tip_mm, const pot::Pot& shape);
 
 struct Hearing {
     const screens::Composed& shown;
     int focus = -1;  // target with the ring
     MarkerPlace marker = MarkerPlace::kNone;
+    screens::CueGuard guard = screens::CueGuard::kNone;
     const haptic::Snapshot& snapshot;
     double now_s = 0.0;
     bool is_quiet = true;     // nothing is being said
+    bool is_private = false;  // nobody else hears it
+    bool has_device = false;  // that is held in a hand
     bool asks_where = false;  // the visitor asks where they are
 };
 
@@ -49,10 +54,13 @@ class Narrator {
     [[nodiscard]] static Clay clay_of(const haptic::Snapshot& snapshot);
     // Returns whether the screen's line is new.
     bool tell_line(const screens::View& view, bool again);
-    void tell_more(const screens::View& view);
+    void tell_more(const screens::View& view, bool has_device);
+    // What the staff's panels write, in English as they are. The digits of a PIN are said in private alone.
+    void tell_staff(const Hearing& now);
     void tell_pot(const screens::FiredPot& pot);
     void tell_focus(const Hearing& now, bool is_after_line);
     void tell_clay(const Hearing& now);
+    void tell_guard(const Hearing& now);
     void say(std::string_view key, std::string text, bool is_urgent = false);
     void say(std::string_view key);
 
@@ -64,6 +72,10 @@ class Narrator {
     MarkerPlace told_marker_ = MarkerPlace::kNone;
     std::optional<Clay> told_clay_;
     double clay_s_ = -1e9;  // when the clay was told
+    screens::CueGuard told_guard_ = screens::CueGuard::kNone;
+    double guard_s_ = -1e9;  // when that was told
+    std::string told_notice_;
+    bool told_force_rests_ = false;
     bool has_told_keys_ = false;
     bool has_told_hand_ = false;
 };

@@ -131,6 +131,15 @@ bool VisitInput::take_drawing(const PointerNews& news) {
     }
 }
 
+bool VisitInput::walks(Button arrow) {
+    const Finger finger = open_finger(flow_.state());
+    if (finger == Finger::kBowl) return false;
+    const bool is_hand = finger_counts(flow_.state()) || finger == Finger::kBrush;
+    if (is_hand && !pointer_.arrows_walk()) return false;
+    pointer_.walk(arrow);
+    return true;
+}
+
 bool VisitInput::begins_on_bench(vec2 px) {
     bench_ = {};  // a touch may have ended on another screen
     if (open_finger(flow_.state()) != Finger::kClay) return false;
@@ -148,15 +157,26 @@ void VisitInput::touch_clay(vec2 px, void (KioskFinger::*press)(const dvec2&)) {
     if (const auto place = finger_place(px)) (finger_.*press)(*place);
 }
 
+void VisitInput::take_arrow(const PointerNews& news) {
+    if (open_finger(flow_.state()) == Finger::kBowl) flow_.dispatch(event::Pressed{news.button});
+    if (!finger_counts(flow_.state())) return;
+    if (news.lives) flow_.dispatch(event::ClayTouched{});
+    keys_lead_ = true;
+    finger_.key(finger_key(upright(news.button, flow_.state())), side_of(flow_.state()));
+}
+
 void VisitInput::take_news(const PointerNews& news, double now_s) {
     using Kind = PointerNews::Kind;
     const bool is_of_nobody =
         news.kind == Kind::kFingerUp || news.kind == Kind::kSecondUp || news.kind == Kind::kHovered;
     if (news.lives && !is_of_nobody) finger_lived_s_ = now_s;
+    if (news.kind == Kind::kNudged && walks(news.button)) return;
     if (open_finger(flow_.state()) == Finger::kBrush && take_drawing(news)) return;
     switch (news.kind) {
         case PointerNews::Kind::kNone:
+            break;
         case PointerNews::Kind::kPutDown:
+            if (finger_counts(flow_.state())) pointer_.begin_walk();
             break;
         case PointerNews::Kind::kLife:
             flow_.dispatch(event::Input{.by_key = news.value == 1});
@@ -202,11 +222,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             if (const auto place = finger_place(news.at_px)) finger_.hover(*place);
             break;
         case PointerNews::Kind::kNudged:
-            if (open_finger(flow_.state()) == Finger::kBowl) flow_.dispatch(event::Pressed{news.button});
-            if (!finger_counts(flow_.state())) break;
-            if (news.lives) flow_.dispatch(event::ClayTouched{});
-            keys_lead_ = true;
-            finger_.key(finger_key(upright(news.button, flow_.state())), side_of(flow_.state()));
+            take_arrow(news);
             break;
         case PointerNews::Kind::kCornerHeld:
             flow_.dispatch(event::CornerHeld{});

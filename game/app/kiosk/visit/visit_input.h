@@ -56,6 +56,11 @@ class VisitInput {
 
   private:
     void take_news(const PointerNews& news, double now_s);
+    // An arrow key moves the focus ring, where it is no hand or the ring was taken by arrow keys. Returns
+    // whether it did.
+    bool walks(kiosk::Button arrow);
+    // An arrow key that moves the hand or the upper bowl.
+    void take_arrow(const PointerNews& news);
     // Handles input on the pot that is being decorated; returns false for other input.
     bool take_drawing(const PointerNews& news);
     // The place on the clay as it is on the wheel, also in the view upside down.
