@@ -9,7 +9,7 @@
 namespace onggi::exporter {
 
 constexpr std::size_t kMaxTriangles = 50000;        // for printing
-constexpr std::size_t kMaxSharedTriangles = 24000;  // for viewing on a phone, with pictures
+constexpr std::size_t kMaxSharedTriangles = 20000;  // for viewing on a phone, with pictures
 // No two rows of a glazed solid are nearer, in the file's mm: clients draw them as hairlines.
 constexpr double kNearestGlazedRowsMm = 0.3;
 constexpr double kGlazeRoundingMm = 1.2;  // from an edge to where its rounding begins

@@ -100,33 +100,15 @@ struct PlacedRow {
     SurfaceRow row;
 };
 
-// The parabola that touches both sides of an edge at that distance, in as many rows up to five as are
-// apart_mm from each other; three at least. With few rows the shared normals point far away from the faces
-// between them, and clients draw dark pixels where such a normal points away from the eye.
-std::vector<PlacedRow> parabola(const EdgedLine& line, std::size_t edge, double room_mm, double apart_mm) {
+// The parabola that touches both sides of an edge at that distance.
+std::vector<PlacedRow> parabola(const EdgedLine& line, std::size_t edge, double room_mm) {
     const double at_mm = line.along_mm(edge);
-    const SurfaceRow middle = line.at(at_mm);
+    const SurfaceRow corner = line.at(at_mm);
     const SurfaceRow from = line.at(at_mm - room_mm);
     const SurfaceRow to = line.at(at_mm + room_mm);
-    const auto direction = [](const SurfaceRow& a, const SurfaceRow& b) {
-        return glm::normalize(dvec2(b.radius_mm - a.radius_mm, b.y_mm - a.y_mm));
-    };
-    constexpr double kSlightTurn = 0.7071067811865476;  // cosine of 45 degrees
-    const bool is_slight = glm::dot(direction(from, middle), direction(middle, to)) > kSlightTurn;
-    std::vector<PlacedRow> rows;
-    for (int pieces = is_slight ? 2 : 4; pieces >= 2; --pieces) {
-        rows.clear();
-        double nearest_mm = apart_mm;
-        for (int i = 0; i <= pieces; ++i) {
-            const double t = static_cast<double>(i) / pieces;
-            SurfaceRow row = between(between(from, middle, t), between(middle, to, t), t);
-            if (!rows.empty()) nearest_mm = std::min(nearest_mm, distance_mm(rows.back().row, row));
-            rows.push_back({at_mm + (2.0 * t - 1.0) * room_mm, std::move(row)});
-        }
-        rows[rows.size() / 2].row.inside = middle.inside;
-        if (nearest_mm >= apart_mm) break;
-    }
-    return rows;
+    SurfaceRow middle = between(corner, between(from, to, 0.5), 0.5);
+    middle.inside = corner.inside;
+    return {{at_mm - room_mm, from}, {at_mm, middle}, {at_mm + room_mm, to}};
 }
 
 // Gap between two walks in the pictures, so that they do not bleed into each other.
@@ -199,7 +181,7 @@ Walk rounded(const Walk& walk, const Rounding& rounding, int corners) {
         }
         // A flat ring keeps the disc's normal from the parabola.
         if (i == 0) put(at_mm - 2.0 * room_mm);
-        std::vector<PlacedRow> round = parabola(line, i, room_mm, rounding.apart_mm);
+        std::vector<PlacedRow> round = parabola(line, i, room_mm);
         // Two roundings meet in a row.
         if (!placed.empty() && is_near(placed.back().row, round.front().row)) round.erase(round.begin());
         std::move(round.begin(), round.end(), std::back_inserter(placed));
