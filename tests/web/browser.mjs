@@ -11,7 +11,7 @@ export const SLOWNESS = Math.max(1, Number(process.env.ONGGI_SLOWNESS ?? 1));
 /** Playwright's own half minute for whatever a page waits for. */
 export const PATIENCE = { timeout: 30_000 * SLOWNESS };
 
-export const launch = () => chromium.launch({ executablePath: BROWSER, args: FLAGS });
+export const launch = (more = []) => chromium.launch({ executablePath: BROWSER, args: [...FLAGS, ...more] });
 
 export function expect(holds, words) {
     if (!holds) throw new Error(words);
