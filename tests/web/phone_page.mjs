@@ -9,7 +9,7 @@ import { tooFaint, tooSmall, unnamed } from './phone_rules.mjs';
 const LANGUAGES = { en: 'ltr', ko: 'ltr', ar: 'rtl' };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 const TABLET = { viewport: { width: 820, height: 1180 }, hasTouch: true };
-const DRAWN = { timeout: 20_000 * SLOWNESS };
+const DRAWN = PATIENCE;
 
 const [onggi, makeProgram, session, folder] = process.argv.slice(2);
 if (!folder) {

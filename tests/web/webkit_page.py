@@ -15,7 +15,7 @@ gi.require_version("Gtk", "3.0")
 gi.require_version("WebKit2", "4.1")
 from gi.repository import GLib, Gtk, WebKit2  # noqa: E402
 
-PATIENCE_S = 60.0 * max(1.0, float(os.environ.get("ONGGI_SLOWNESS", "1")))
+PATIENCE_S = 240.0 * max(1.0, float(os.environ.get("ONGGI_SLOWNESS", "1")))
 FILM_S = 2.0
 # What the page tells every 50 ms, as its title.
 REPORTER = """
