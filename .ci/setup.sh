@@ -15,7 +15,7 @@ packages_to_check=(
     clang-14 clang-format-14 libclang-rt-14-dev glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers
     xvfb xserver-xorg-core xserver-xorg-video-dummy xserver-xorg-dev xdotool x11-xserver-utils libx11-dev umockdev libumockdev-dev admesh zbar-tools curl python3 git
     systemd cage xwayland dpkg-dev qemu-user fonts-noto-cjk espeak-ng)
-packages_for_web=(chromium)
+packages_for_web=(chromium gir1.2-webkit2-4.1 python3-gi libgl1-mesa-dri gstreamer1.0-plugins-good gstreamer1.0-libav)
 packages_for_swiftshader=(chromium)
 packages_for_slicer=(prusa-slicer)
 packages_for_packages=(mmdebstrap lintian desktop-file-utils appstream man-db groff)

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -546,6 +547,35 @@ Painting Painter::paint(const Sketch& sketch) {
     return read(surface.get());
 }
 
+namespace {
+
+// Cairo's SVG with presentation attributes in place of style attributes, which a server's content security
+// policy may forbid (Content Security Policy Level 3, style-src-attr).
+std::string without_styles(std::string_view svg) {
+    constexpr std::string_view kStyle = " style=\"";
+    std::string plain;
+    plain.reserve(svg.size());
+    for (;;) {
+        const std::size_t at = svg.find(kStyle);
+        plain += svg.substr(0, at);
+        if (at == std::string_view::npos) return plain;
+        svg.remove_prefix(at + kStyle.size());
+        std::string_view style = svg.substr(0, svg.find('"'));
+        svg.remove_prefix(style.size() + 1);
+        while (!style.empty()) {
+            std::string_view one = style.substr(0, style.find(';'));
+            style.remove_prefix(std::min(style.size(), one.size() + 1));
+            one.remove_prefix(std::min(one.size(), one.find_first_not_of(' ')));
+            const std::size_t colon = one.find(':');
+            if (colon == std::string_view::npos) continue;
+            plain.append(" ").append(one.substr(0, colon));
+            plain.append("=\"").append(one.substr(colon + 1)).append("\"");
+        }
+    }
+}
+
+}  // namespace
+
 std::vector<std::byte> Painter::draw_vectors(const Sketch& sketch, VectorKind kind, const std::string& title,
                                              const std::string& subject) {
     constexpr float kPointsPerMm = 72.0F / 25.4F;
@@ -576,7 +606,10 @@ std::vector<std::byte> Painter::draw_vectors(const Sketch& sketch, VectorKind ki
     cairo_show_page(cairo.get());
     cairo_surface_finish(surface.get());
     expect_memory(cairo_surface_status(surface.get()));
-    return file;
+    if (is_pdf) return file;
+    const std::string svg = without_styles({reinterpret_cast<const char*>(file.data()), file.size()});
+    const auto bytes = std::as_bytes(std::span(svg));
+    return {bytes.begin(), bytes.end()};
 }
 
 std::uint64_t Painter::work_of_this_thread() {

@@ -31,8 +31,8 @@ class Painter {
     [[nodiscard]] Painting paint(const Sketch& sketch);
 
     // The sketch as a file whose page has its size, u being millimetres; px_per_u has no effect. SVG holds
-    // letters as outlines, PDF as text, and title and subject in its properties. The same sketch gives the
-    // same bytes: no time is stored. Fades and shadows become pictures of 72 dpi.
+    // letters as outlines and no style attributes, PDF text, and title and subject in its properties. The
+    // same sketch gives the same bytes: no time is stored. Fades and shadows become pictures of 72 dpi.
     [[nodiscard]] std::vector<std::byte> draw_vectors(const Sketch& sketch, VectorKind kind,
                                                       const std::string& title,
                                                       const std::string& subject = {});

@@ -90,12 +90,18 @@ std::string_view program_name() {
     return kProgram;
 }
 
-std::string printing_note(double thinnest_wall_mm) {
-    if (!(thinnest_wall_mm > 0.0 && thinnest_wall_mm < kThinnestPrintedMm)) return {};
+std::string printing_note(double thinnest_wall_mm, double height_mm, double width_mm) {
+    const double fits = std::min(1.0, kPrintedSideMm / std::max(height_mm, width_mm));
+    if (!(thinnest_wall_mm > 0.0 && fits * thinnest_wall_mm < kThinnestPrintedMm)) return {};
+    const std::string printed =
+        fits < 1.0 ? fmt::format(", {:.1f} mm if the pot is scaled to {:.0f} % for a printer of {:.0f} mm",
+                                 fits * thinnest_wall_mm, std::floor(100.0 * fits), kPrintedSideMm)
+                   : "";
     return fmt::format(
-        "Thinnest wall {:.1f} mm: below {:.0f} mm prints break. At {:.0f} % and above all walls are thick "
+        "Thinnest wall {:.1f} mm{}: below {:.0f} mm prints break. At {:.0f} % and above all walls are thick "
         "enough.",
-        thinnest_wall_mm, kThinnestPrintedMm, std::ceil(100.0 * kThinnestPrintedMm / thinnest_wall_mm));
+        thinnest_wall_mm, printed, kThinnestPrintedMm,
+        std::ceil(100.0 * kThinnestPrintedMm / thinnest_wall_mm));
 }
 
 Result<PotFile> pot_file(const PotRings& rings) {

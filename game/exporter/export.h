@@ -34,8 +34,12 @@ struct PotFile {
 
 // Thinner walls break in prints of services and of slicers' usual settings.
 constexpr double kThinnestPrintedMm = 2.0;
-// The note for a pot with walls that thin at the file's size; empty if they are thick enough.
-[[nodiscard]] std::string printing_note(double thinnest_wall_mm);
+// The side of the cube that small home printers fill (Bambu A1 mini, Prusa MINI+): a larger pot is scaled
+// down to fit.
+constexpr double kPrintedSideMm = 180.0;
+// The note for a pot whose walls are thin at the size at which it is printed, with the size from which they
+// are thick enough; empty if they are thick enough. mm, at the file's size.
+[[nodiscard]] std::string printing_note(double thinnest_wall_mm, double height_mm, double width_mm);
 
 // This program as the generator of a pot's mesh. The story's title names the pot, or else `name`.
 [[nodiscard]] asset::GltfContent pot_content(std::string name, asset::Mesh mesh, asset::Material material,

@@ -152,6 +152,7 @@ Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage, PotStory st
     const double scale = clay::shrunk_scale(body, stage);
     Result<PotSolid> pot = build_pot_solid(rings_of(clay.rings()), {.shrinkage = scale});
     if (!pot) return pot.error();
+    const clay::PotMeasures measures = clay::measure_pot(clay.rings(), body, stage);
     const std::string title = fmt::format(
         "{}, {:.1f} mm high",
         story.about.is_empty() ? "Onggi pot, " + pot_name(body, stage) : first_of(story.about.title),
@@ -160,7 +161,7 @@ Result<PotFile> pot_file(const clay::StudioClay& clay, Firing stage, PotStory st
         .content = pot_content("Pot, " + pot_name(body, stage), std::move(pot->mesh),
                                {.name = pot_name(body, stage)}, pot_extras(clay, stage), std::move(story)),
         .title = title,
-        .note = printing_note(clay::measure_pot(clay.rings(), body, stage).thinnest_wall_mm)};
+        .note = printing_note(measures.thinnest_wall_mm, measures.height_mm, measures.widest_mm)};
 }
 
 }  // namespace onggi::exporter

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace onggi::pot {
@@ -42,6 +43,72 @@ SurfaceRow between(const SurfaceRow& from, const SurfaceRow& to, double fraction
     for (std::size_t k = 0; k < row.dents_mm.size(); ++k)
         row.dents_mm[k] = glm::mix(from.dents_mm[k], to.dents_mm[k], fraction);
     return row;
+}
+
+// A walk's outline by the distance along it, and which of its rows are edges.
+class EdgedLine {
+  public:
+    EdgedLine(const Walk& walk, int corners) : rows_(walk.rows) {
+        const std::vector<dvec2> circle = unit_circle(corners);
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const bool is_end = i == 0 || i + 1 == rows_.size();
+            along_mm_.push_back(i == 0 ? 0.0 : along_mm_.back() + distance_mm(rows_[i - 1], rows_[i]));
+            is_edge_.push_back(is_end ? !walk.meets_itself
+                                      : is_edge(rows_[i - 1], rows_[i], rows_[i + 1], circle));
+        }
+    }
+
+    [[nodiscard]] bool has_edge(std::size_t i) const { return is_edge_[i]; }
+    [[nodiscard]] double along_mm(std::size_t i) const { return along_mm_[i]; }
+
+    // From the edge i to where its rounding begins; beyond an end of the walk lies its disc. Two edges divide
+    // what is between them.
+    [[nodiscard]] double room_mm(std::size_t i, bool after, double within_mm) const {
+        const std::size_t last = rows_.size() - 1;
+        if (i == (after ? last : 0)) return std::min(within_mm, rows_[i].radius_mm / 3.0);
+        std::size_t next = i;
+        do
+            next = after ? next + 1 : next - 1;
+        while (next > 0 && next < last && !is_edge_[next]);
+        return std::min(within_mm, std::abs(along_mm_[next] - along_mm_[i]) / 2.0);
+    }
+
+    [[nodiscard]] SurfaceRow at(double along_mm) const {
+        if (along_mm < 0.0) return on_disc(rows_.front(), -along_mm);
+        if (along_mm > along_mm_.back()) return on_disc(rows_.back(), along_mm - along_mm_.back());
+        const auto above = std::lower_bound(along_mm_.begin() + 1, along_mm_.end() - 1, along_mm);
+        const auto next = static_cast<std::size_t>(above - along_mm_.begin());
+        const double length_mm = along_mm_[next] - along_mm_[next - 1];
+        const double fraction = length_mm > 0.0 ? (along_mm - along_mm_[next - 1]) / length_mm : 0.0;
+        return between(rows_[next - 1], rows_[next], fraction);
+    }
+
+  private:
+    static SurfaceRow on_disc(const SurfaceRow& rim, double inwards_mm) {
+        SurfaceRow middle = rim;
+        middle.radius_mm = 0.0;
+        return between(rim, middle, inwards_mm / rim.radius_mm);
+    }
+
+    const std::vector<SurfaceRow>& rows_;
+    std::vector<double> along_mm_;
+    std::vector<bool> is_edge_;
+};
+
+struct PlacedRow {
+    double along_mm = 0.0;
+    SurfaceRow row;
+};
+
+// The parabola that touches both sides of an edge at that distance.
+std::vector<PlacedRow> parabola(const EdgedLine& line, std::size_t edge, double room_mm) {
+    const double at_mm = line.along_mm(edge);
+    const SurfaceRow corner = line.at(at_mm);
+    const SurfaceRow from = line.at(at_mm - room_mm);
+    const SurfaceRow to = line.at(at_mm + room_mm);
+    SurfaceRow middle = between(corner, between(from, to, 0.5), 0.5);
+    middle.inside = corner.inside;
+    return {{at_mm - room_mm, from}, {at_mm, middle}, {at_mm + room_mm, to}};
 }
 
 // Gap between two walks in the pictures, so that they do not bleed into each other.
@@ -91,46 +158,53 @@ double distance_mm(const SurfaceRow& a, const SurfaceRow& b) {
 
 Walk rounded(const Walk& walk, const Rounding& rounding, int corners) {
     const std::vector<SurfaceRow>& rows = walk.rows;
-    const std::vector<dvec2> circle = unit_circle(corners);
-    // The row on the way from an edge to its neighbour where the rounding begins; the edge itself if it is
-    // too short.
-    const auto begin_of = [&](const SurfaceRow& edge, const SurfaceRow& neighbour) {
-        const double length_mm = distance_mm(edge, neighbour);
-        const double begin_mm = std::min(rounding.within_mm, length_mm / 3.0);
-        return begin_mm < 2.0 * rounding.apart_mm ? edge : between(edge, neighbour, begin_mm / length_mm);
+    const EdgedLine line(walk, corners);
+    std::vector<PlacedRow> placed;                       // of edges
+    std::vector<std::pair<double, double>> replaced_mm;  // parts of the line
+    const auto is_near = [&](const SurfaceRow& a, const SurfaceRow& b) {
+        return distance_mm(a, b) < rounding.apart_mm;
     };
-    const auto middle_of_disc = [](const SurfaceRow& rim) {
-        SurfaceRow middle = rim;
-        middle.radius_mm = 0.0;
-        return middle;
-    };
-    Walk out{.meets_itself = walk.meets_itself, .is_smooth = true};
+    const auto put = [&](double along_mm) { placed.push_back({along_mm, line.at(along_mm)}); };
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool is_end = i == 0 || i + 1 == rows.size();
-        const SurfaceRow before = i == 0 ? middle_of_disc(rows[i]) : rows[i - 1];
-        const SurfaceRow after = i + 1 == rows.size() ? middle_of_disc(rows[i]) : rows[i + 1];
-        const SurfaceRow from = begin_of(rows[i], before);
-        const SurfaceRow to = begin_of(rows[i], after);
-        const bool has_room_before = distance_mm(from, rows[i]) > 0.0;
-        const bool has_room_after = distance_mm(to, rows[i]) > 0.0;
-        const bool is_sharp = is_end ? !walk.meets_itself : is_edge(before, rows[i], after, circle);
-        if (!is_sharp || !has_room_before || !has_room_after) {
-            const bool in_disc = is_sharp && is_end;
-            if (in_disc && i == 0 && has_room_before) out.rows.push_back(from);
-            out.rows.push_back(rows[i]);
-            if (in_disc && i > 0 && has_room_after) out.rows.push_back(to);
+        if (!line.has_edge(i)) continue;
+        const double at_mm = line.along_mm(i);
+        const double before_mm = line.room_mm(i, false, rounding.within_mm);
+        const double after_mm = line.room_mm(i, true, rounding.within_mm);
+        const double room_mm = std::min(before_mm, after_mm);
+        const double least_mm = 2.0 * rounding.apart_mm;
+        if (room_mm < least_mm) {
+            // The ring keeps the disc flat.
+            if (i == 0 && before_mm >= least_mm) put(at_mm - before_mm);
+            placed.push_back({at_mm, rows[i]});
+            if (i + 1 == rows.size() && after_mm >= least_mm) put(at_mm + after_mm);
             continue;
         }
         // A flat ring keeps the disc's normal from the parabola.
-        const auto twice = [&](const SurfaceRow& begin) { return between(rows[i], begin, 2.0); };
-        if (i == 0) out.rows.push_back(twice(from));
-        // The middle of the parabola that touches both sides.
-        out.rows.push_back(from);
-        out.rows.push_back(between(rows[i], between(from, to, 0.5), 0.5));
-        out.rows.back().inside = rows[i].inside;
-        out.rows.push_back(to);
-        if (i + 1 == rows.size()) out.rows.push_back(twice(to));
+        if (i == 0) put(at_mm - 2.0 * room_mm);
+        std::vector<PlacedRow> round = parabola(line, i, room_mm);
+        // Two roundings meet in a row.
+        if (!placed.empty() && is_near(placed.back().row, round.front().row)) round.erase(round.begin());
+        std::move(round.begin(), round.end(), std::back_inserter(placed));
+        if (i + 1 == rows.size()) put(at_mm + 2.0 * room_mm);
+        replaced_mm.emplace_back(at_mm - room_mm, at_mm + room_mm);
     }
+    Walk out{.meets_itself = walk.meets_itself, .is_smooth = true};
+    auto next = placed.begin();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (line.has_edge(i)) continue;
+        const double at_mm = line.along_mm(i);
+        for (; next != placed.end() && next->along_mm <= at_mm; ++next)
+            out.rows.push_back(next->row);
+        const bool is_end = i == 0 || i + 1 == rows.size();
+        const bool is_replaced =
+            std::any_of(replaced_mm.begin(), replaced_mm.end(),
+                        [&](const auto& part) { return at_mm > part.first && at_mm < part.second; }) ||
+            (next != placed.end() && is_near(rows[i], next->row)) ||
+            (next != placed.begin() && is_near(rows[i], (next - 1)->row));
+        if (is_end || !is_replaced) out.rows.push_back(rows[i]);
+    }
+    for (; next != placed.end(); ++next)
+        out.rows.push_back(next->row);
     return out;
 }
 

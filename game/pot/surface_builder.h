@@ -53,9 +53,10 @@ struct Walk {
 };
 
 // The walk as a glaze covers it: smooth, and each edge, also of a closing disc, is a parabola of three rows.
-// It begins within_mm from the edge, or a third of the way to the next row if that is less; an edge without
-// room for rows apart_mm from each other stays where it is, smooth; a small disc and the foot of a walk that
-// meets itself keep their edges.
+// It begins within_mm from the edge along the outline, or half way to the next edge if that is less, and
+// replaces the rows there: an edge that shares its normals with a row close to it shows as dark pixels, where
+// such a normal points away from the eye. An edge without room for rows apart_mm from each other stays where
+// it is, smooth; a small disc and the foot of a walk that meets itself keep their edges.
 struct Rounding {
     double within_mm = 0.0;
     double apart_mm = 0.0;

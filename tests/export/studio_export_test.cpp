@@ -93,19 +93,25 @@ TEST(StudioExport, IsTheSolidOfTheStlAs3mf) {
             fmt::format("Onggi pot, {}, {:.1f} mm high", exporter::pot_name(pot.clay.lump().body, pot.stage),
                         pot.clay.height_mm() * clay::shrunk_scale(pot.clay.lump().body, pot.stage)));
         EXPECT_EQ(file->words.at("Title").find("glaze "), std::string::npos);
-        const double thinnest_mm =
-            clay::measure_pot(pot.clay.rings(), pot.clay.lump().body, pot.stage).thinnest_wall_mm;
-        const bool is_thin = thinnest_mm > 0.0 && thinnest_mm < 2.0;
+        const clay::PotMeasures measures =
+            clay::measure_pot(pot.clay.rings(), pot.clay.lump().body, pot.stage);
+        const double thinnest_mm = measures.thinnest_wall_mm;
+        const double printed = std::min(1.0, 180.0 / std::max(measures.height_mm, measures.widest_mm));
+        const bool is_thin = thinnest_mm > 0.0 && printed * thinnest_mm < 2.0;
         EXPECT_EQ(file->words.contains("Description"), is_thin) << pot.name << ": " << thinnest_mm << " mm";
     }
 }
 
-TEST(PrintingNote, IsWrittenOnlyForThinWallsAndNamesASufficientSize) {
-    EXPECT_EQ(exporter::printing_note(2.0), "");
-    EXPECT_EQ(exporter::printing_note(0.0), "") << "nothing is hollow";
+TEST(PrintingNote, IsWrittenOnlyForWallsThatPrintThinAndNamesASufficientSize) {
+    EXPECT_EQ(exporter::printing_note(2.0, 180.0, 120.0), "");
+    EXPECT_EQ(exporter::printing_note(0.0, 100.0, 100.0), "") << "nothing is hollow";
     EXPECT_EQ(
-        exporter::printing_note(1.5),
+        exporter::printing_note(1.5, 100.0, 120.0),
         "Thinnest wall 1.5 mm: below 2 mm prints break. At 134 % and above all walls are thick enough.");
+    EXPECT_EQ(exporter::printing_note(3.0, 200.0, 240.0), "") << "2.25 mm at 75 %";
+    EXPECT_EQ(exporter::printing_note(3.0, 360.0, 240.0),
+              "Thinnest wall 3.0 mm, 1.5 mm if the pot is scaled to 50 % for a printer of 180 mm: below 2 mm "
+              "prints break. At 67 % and above all walls are thick enough.");
 }
 
 TEST(StudioExport, IsASoundSolidAsStl) {

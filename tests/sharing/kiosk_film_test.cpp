@@ -113,6 +113,39 @@ TEST_F(KioskFilmTest, IsDroppedWithItsProcessByTheNext) {
     EXPECT_FALSE(fs::exists(place_));
 }
 
+// A drawing needs no film: none was made of this pot.
+TEST_F(SharingKiosk, DrawsThePotThatItsSessionLeft) {
+    settings_.config.sharing.publisher = {{"", "House of Clay"}};
+    fs::copy_file(test::in_checkout("tests/replay/sessions/one-finger-250hz.onggi"),
+                  folder_.path() / "gallery" / kName / "pot.onggi");
+    for (const bool is_late : {false, true}) {
+        KioskPhone phone(settings_, test::in_build("onggi"),
+                         is_late ? 0 : std::chrono::nanoseconds(kPatience).count());
+        ASSERT_TRUE(phone.start());
+        phone.share(kept());
+        // The process is idle otherwise, and begins in the next round of the phone's thread.
+        test::comes_true([] { return !makers().empty(); });
+        let_makers_compete();
+        std::shared_ptr<const PhoneAnswer> answer;
+        ASSERT_TRUE(test::comes_true([&] { return (answer = phone.next_answer()) != nullptr; }, kPatience));
+        ASSERT_EQ(std::get<PhoneAnswer::OfPot>(answer->what).outcome, kiosk::ShareOutcome::kReady);
+        const fs::path place = folder_.path() / "outbox" / shared().at(0).code.text();
+        const auto page = [&] { return test::content_of(place / "index.html"); };
+        EXPECT_TRUE(test::comes_true([&] { return page().find("href=\"pot.svg\"") != std::string::npos; },
+                                     kPatience));
+        for (const char* link : {"href=\"pot.pdf\"", "href=\"pot.json\""})
+            EXPECT_NE(page().find(link), std::string::npos) << link;
+        EXPECT_EQ(page().find("film"), std::string::npos);
+        EXPECT_EQ(test::content_of(place / "pot.pdf").substr(0, 5), "%PDF-");
+        for (const char* file : {"pot.svg", "pot.json"})
+            EXPECT_NE(test::content_of(place / file).find("House of Clay"), std::string::npos) << file;
+        phone.forget();
+        phone.withdraw(kName);
+        EXPECT_TRUE(test::comes_true([&] { return shared().empty(); }));
+        EXPECT_FALSE(fs::exists(folder_.path() / "gallery/state/drawn")) << "nothing of a visit stays behind";
+    }
+}
+
 // A page is published without waiting for a late film.
 TEST_F(SharingKiosk, AddsAFilmThatIsLateToThePage) {
     settings_.config.sharing.publisher = {{"", "House of Clay"}};

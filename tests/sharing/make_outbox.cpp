@@ -33,6 +33,7 @@ struct Words {
     std::filesystem::path folder;
     std::string glaze = "celadon";
     bool decorated = false;  // cranes all round it, between two bands of black slip
+    bool banded = false;     // thin lines of cobalt
     std::string poster;
     std::string film;
     std::string mp4;
@@ -54,6 +55,17 @@ decoration::Marks cranes_on(const clay::StudioClay& clay) {
     return decoration::Canvas::of(wall, strokes).value().marks();
 }
 
+decoration::Marks lines_on(const clay::StudioClay& clay) {
+    constexpr double kThinMm = 0.8;
+    const decoration::Wall wall = app::wall_of(haptic::pot_of(haptic::HapticState{clay}));
+    decoration::Strokes strokes;
+    for (int i = 1; i < 10; ++i) {
+        strokes.push_back(
+            screens::stroke_round(decoration::Technique::kCobalt, 0.1 * i * double{wall.height_mm}, kThinMm));
+    }
+    return decoration::Canvas::of(wall, strokes).value().marks();
+}
+
 Result<std::optional<clay::StudioClay>> clay_of(const std::string& session) {
     for (const support::StudioSample& sample : support::all_studio_samples())
         if (sample.name == session) return std::optional(sample.clay);
@@ -69,6 +81,7 @@ Result<sharing::ShareCode> put(const Words& words) {
     if (!clay) return clay.error();
     screens::FiredPot fired = app::fired_pot(**clay, settings->targets, settings->relatives);
     if (words.decorated) fired.shape.marks = std::make_shared<const decoration::Marks>(cranes_on(**clay));
+    if (words.banded) fired.shape.marks = std::make_shared<const decoration::Marks>(lines_on(**clay));
     const finish::GlazeMaterial* material = finish::find_glaze(words.glaze);
     if (material == nullptr) return bad_input("make_outbox: expected a glaze, found " + words.glaze);
     const int glaze = static_cast<int>(material->glaze);
@@ -101,6 +114,12 @@ Result<sharing::ShareCode> put(const Words& words) {
     pot.film_still.path = words.film.empty() ? "" : words.poster;
     pot.film_s = 8.0;
     pot.surface.path = words.surface;
+    if (const asset::Image wrapped = app::share_surface(fired.shape, glaze);
+        words.surface.empty() && wrapped.width > 0) {
+        auto surface = asset::encode_png(wrapped);
+        if (!surface) return surface.error();
+        pot.surface.bytes = std::move(*surface);
+    }
     std::filesystem::create_directories(words.folder);
     for (const auto& [name, bytes] : {std::pair{"pot.png", &pot.picture.bytes},
                                       {"poster.png", &*poster},
@@ -126,6 +145,7 @@ int main(int argc, char** argv) {
     program.add_option("FOLDER", words.folder)->required();
     program.add_option("--glaze", words.glaze);
     program.add_flag("--decorated", words.decorated);
+    program.add_flag("--banded", words.banded);
     program.add_option("--poster", words.poster);
     program.add_option("--film", words.film);
     program.add_option("--mp4", words.mp4);

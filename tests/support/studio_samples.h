@@ -21,7 +21,8 @@ struct StudioSample {
 };
 
 // A fresh lump (solid, off centre), a thrown cylinder as it stands and glaze-fired, a thrown vase
-// bisque-fired, a cylinder dented by a standing finger, a wet bowl that the wheel spun apart, a tube, a cup
+// bisque-fired, a cylinder dented by a standing finger, a cylinder
+// that was never centred, a wet bowl that the wheel spun apart, a tube, a cup
 // upside down, a hollow closed over, walls of a millimetre, a ring of clay, and a jagged wall such as no hand
 // makes.
 std::vector<StudioSample> all_studio_samples();

@@ -8,10 +8,10 @@ const FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swift
 /** How many times slower this machine is than the reference machine (tests/support/patience.h). */
 export const SLOWNESS = Math.max(1, Number(process.env.ONGGI_SLOWNESS ?? 1));
 
-/** Playwright's own half minute for whatever a page waits for. */
-export const PATIENCE = { timeout: 30_000 * SLOWNESS };
+/** For whatever a page waits for: four times Playwright's own half minute, because a busy machine keeps a page waiting. */
+export const PATIENCE = { timeout: 120_000 * SLOWNESS };
 
-export const launch = () => chromium.launch({ executablePath: BROWSER, args: FLAGS });
+export const launch = (more = []) => chromium.launch({ executablePath: BROWSER, args: [...FLAGS, ...more] });
 
 export function expect(holds, words) {
     if (!holds) throw new Error(words);

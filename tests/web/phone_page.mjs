@@ -9,7 +9,7 @@ import { tooFaint, tooSmall, unnamed } from './phone_rules.mjs';
 const LANGUAGES = { en: 'ltr', ko: 'ltr', ar: 'rtl' };
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 const TABLET = { viewport: { width: 820, height: 1180 }, hasTouch: true };
-const DRAWN = { timeout: 20_000 * SLOWNESS };
+const DRAWN = PATIENCE;
 
 const [onggi, makeProgram, session, folder] = process.argv.slice(2);
 if (!folder) {
@@ -134,6 +134,22 @@ CHECKS['without a script'] = async ({ browser, own, code }) => {
     return 'poster, links, languages';
 };
 
+CHECKS['letters twice as large'] = async ({ own, code }) => {
+    const large = await launch(['--blink-settings=defaultFontSize=32']);
+    try {
+        const { context, page } = await opened(large, own.origin, `/${code}/`, PHONE);
+        const [is_within, high] = await page.evaluate(() => [document.documentElement.scrollWidth <= innerWidth,
+            document.querySelector('.token').getBoundingClientRect().height]);
+        await page.screenshot({ path: `${folder}/large-letters.png`, fullPage: true });
+        expect(is_within, 'expected nothing beside the screen');
+        expect(high >= 2 * 56, `expected a button of 112 px at least, found ${high}`);
+        await context.close();
+        return 'buttons grow with them, nothing beside the screen';
+    } finally {
+        await large.close();
+    }
+};
+
 CHECKS['less motion, and saved data'] = async ({ browser, own, code }) => {
     const calm = await opened(browser, own.origin, `/${code}/`, { ...PHONE, reducedMotion: 'reduce' });
     const stage = calm.page.locator('#stage');
@@ -227,6 +243,21 @@ async function filmed(use) {
         await own.stop();
     }
 }
+
+/** A drawing opened in the browser, under the server's policy: black lines of its own widths, not a black shape. */
+CHECKS['a drawing in the browser'] = ({ browser }) => filmed(async (own, path) => {
+    const context = await contextOf(browser, PHONE);
+    const page = await context.newPage();
+    const complaints = watch(page, own.origin);
+    await page.goto(`${own.origin}${path}pot.svg`);
+    const widths = await page.evaluate(() => [...new Set([...document.querySelectorAll('path')]
+        .map((line) => getComputedStyle(line)).filter((style) => style.stroke !== 'none').map((style) => parseFloat(style.strokeWidth)))].sort());
+    await page.screenshot({ path: `${folder}/drawing.png` });
+    expect(complaints.length === 0, complaints.join('; '));
+    expect(widths.includes(0.13) && widths.includes(0.5), `expected lines of 0.13 to 0.5 mm, found ${widths}`);
+    await context.close();
+    return `lines of ${widths.join(', ')} mm`;
+});
 
 CHECKS['a film as MP4'] = ({ browser }) => filmed(async (own, path, apart) => {
     const { context, page, complaints } = await opened(browser, own.origin, path, PHONE);

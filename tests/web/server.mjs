@@ -1,4 +1,4 @@
-// Serves the pages, three.js, model-viewer and the pots on 127.0.0.1, at a port of the system's choice: what a visitor's phone would
+// Serves the pages, the clients of pots and the pots on 127.0.0.1, at a port of the system's choice: what a visitor's phone would
 // get from the kiosk, and nothing from outside.
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
@@ -14,6 +14,9 @@ function locate(pathname, potsFolder) {
         '/pots/': potsFolder,
         '/three/': path.join(here, 'node_modules/three'),
         '/model-viewer/': path.join(here, 'node_modules/@google/model-viewer/dist'),
+        '/babylon/': path.join(here, 'node_modules/babylonjs'),
+        '/babylon-loaders/': path.join(here, 'node_modules/babylonjs-loaders'),
+        '/playcanvas/': path.join(here, 'node_modules/playcanvas/build'),
         '/': path.join(here, 'page'),
     };
     const prefix = Object.keys(roots).find((start) => pathname.startsWith(start));

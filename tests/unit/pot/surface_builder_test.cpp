@@ -130,5 +130,37 @@ TEST(SurfaceBuilder, RoundsEdges) {
         << "no room for more rows";
 }
 
+// The largest angle between a face of the surface and the normal of one of its corners, degrees.
+double most_off_degrees(const SurfaceBuilder& surface) {
+    double least = 1.0;
+    for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
+        const auto corner = [&](std::size_t k) { return surface.indices[i + k]; };
+        const dvec3& a = surface.positions_mm[corner(0)];
+        const dvec3 face = glm::normalize(
+            glm::cross(surface.positions_mm[corner(1)] - a, surface.positions_mm[corner(2)] - a));
+        for (std::size_t k = 0; k < 3; ++k)
+            least = std::min(least, glm::dot(face, surface.normals[corner(k)]));
+    }
+    return std::acos(least) * 180.0 / std::numbers::pi;
+}
+
+// A client draws a dark pixel where a shared normal points away from the eye and its face does not.
+TEST(SurfaceBuilder, RoundsAnEdgeThatHasRowsBesideIt) {
+    constexpr Rounding kGlaze{.within_mm = 1.2, .apart_mm = 0.3};
+    const Walk plain = cups_walk();
+    Walk crowded = plain;
+    const SurfaceRow beside{.y_mm = 79.6, .radius_mm = 33.95, .inside = true};  // 0.4 mm below the rim
+    crowded.rows.insert(crowded.rows.begin() + 12, beside);
+    Walk thin = plain;  // a rim that two roundings divide
+    for (SurfaceRow& row : thin.rows)
+        if (row.inside) row.radius_mm += 4.0;
+    for (const Walk& walk : {plain, crowded, thin}) {
+        const Walk round = rounded(walk, kGlaze, kCorners);
+        EXPECT_LT(most_off_degrees(surface_of(round, false)), 35.0);
+        for (std::size_t i = 1; i < round.rows.size(); ++i)
+            EXPECT_GE(distance_mm(round.rows[i - 1], round.rows[i]), kGlaze.apart_mm);
+    }
+}
+
 }  // namespace
 }  // namespace onggi::pot

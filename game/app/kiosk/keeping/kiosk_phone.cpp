@@ -43,7 +43,7 @@ screens::PhoneCode code_of(const std::string& text) {
 
 }  // namespace
 
-Result<void> KioskFilm::begin(const std::filesystem::path& session, const std::string& credit) {
+Result<void> KioskFilm::begin(const std::filesystem::path& session) {
     drop();
     if (program_.empty()) return {};
     std::error_code error;
@@ -52,28 +52,9 @@ Result<void> KioskFilm::begin(const std::filesystem::path& session, const std::s
     if (!error) std::filesystem::rename(session, taken, error);
     if (error) return system_lacks(fmt::format("film: {}: {}", taken.string(), error.message()));
     const Files made = places();
-    std::vector<std::string> words{program_,
-                                   "film",
-                                   taken,
-                                   "--out",
-                                   made.film,
-                                   "--still",
-                                   made.still,
-                                   "--mp4",
-                                   made.mp4,
-                                   "--drawing",
-                                   made.drawing_svg,
-                                   "--drawing",
-                                   made.drawing_pdf,
-                                   "--measures",
-                                   made.measures,
-                                   "--quick",
-                                   "--glaze",
-                                   "-",
-                                   "--seconds",
-                                   fmt::format("{}", kSeconds)};
-    if (!credit.empty()) words.push_back("--credit=" + credit);
-    auto maker = jobs::ChildProcess::start(std::move(words));
+    auto maker = jobs::ChildProcess::start({program_, "film", taken, "--out", made.film, "--still",
+                                            made.still, "--mp4", made.mp4, "--quick", "--glaze", "-",
+                                            "--seconds", fmt::format("{}", kSeconds)});
     if (!maker) return system_lacks("film: " + maker.error().message);
     maker_.emplace(std::move(*maker));
     return {};
@@ -95,6 +76,28 @@ void KioskFilm::drop() noexcept {
     std::filesystem::remove_all(folder_, ignored);
 }
 
+Result<void> KioskDrawing::begin(const std::filesystem::path& session, const std::string& credit) {
+    drop();
+    if (program_.empty()) return {};
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    if (error) return system_lacks(fmt::format("drawing: {}: {}", folder_.string(), error.message()));
+    const Files made = places();
+    std::vector<std::string> words{program_, "replay",    session,  "--fired",    "glaze",      "--drawing",
+                                   made.svg, "--drawing", made.pdf, "--measures", made.measures};
+    if (!credit.empty()) words.push_back("--credit=" + credit);
+    auto maker = jobs::ChildProcess::start(std::move(words));
+    if (!maker) return system_lacks("drawing: " + maker.error().message);
+    maker_.emplace(std::move(*maker));
+    return {};
+}
+
+void KioskDrawing::drop() noexcept {
+    maker_.reset();
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+}
+
 Result<void> KioskPhone::start() {
     if (!kiosk::shares(settings_.config)) return {};
     return thread_.start(*this, "phone");
@@ -104,8 +107,8 @@ std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
     now_ns_ = now_ns;
     while (const auto task = tasks_.next())
         (*task)();
-    share_when_filmed();
-    add_late_film();
+    share_when_made();
+    add_late_files();
     look_after();
     return kAsksEveryNs;
 }
@@ -113,73 +116,90 @@ std::int64_t KioskPhone::round(std::int64_t now_ns) noexcept {
 // A pot is shared also without a film.
 void KioskPhone::film(std::filesystem::path session) {
     tasks_.post([this, session = std::move(session)] {
-        unfilmed_.reset();
-        if (const auto begun = film_.begin(session, credit_of(settings_)); !begun)
-            answer({.words = begun.error().message});
+        unfinished_.reset();
+        if (const auto begun = film_.begin(session); !begun) answer({.words = begun.error().message});
     });
 }
 
 void KioskPhone::forget() {
     tasks_.post([this] {
         waiting_.reset();
-        if (unfilmed_)
-            unfilmed_->is_forgotten = true;
+        if (unfinished_)
+            unfinished_->is_forgotten = true;
         else
-            film_.drop();
+            drop_made();
     });
 }
 
 void KioskPhone::share(PotToShare pot) {
     tasks_.post([this, pot = std::move(pot)] {
         film_.finish_in(finish::glaze_at(pot.glaze).id, pot.pot ? pot.pot->shape.marks.get() : nullptr);
+        const auto begun = drawing_.begin(
+            std::filesystem::path(settings_.config.gallery.folder) / pot.gallery_name / "pot.onggi",
+            credit_of(settings_));
+        if (!begun) answer({.words = begun.error().message});
         waiting_ = pot;
         waits_until_ns_ = now_ns_ + film_wait_ns_;
     });
 }
 
-void KioskPhone::share_when_filmed() {
-    if (!waiting_ || (film_.is_in_the_making() && now_ns_ < waits_until_ns_)) return;
+void KioskPhone::share_when_made() {
+    if (!waiting_ || (is_making() && now_ns_ < waits_until_ns_)) return;
     share_now(*std::exchange(waiting_, std::nullopt));
 }
 
-// A film that cannot be read is missing, like one that could not be made; so is each of the other files.
+void KioskPhone::drop_made() noexcept {
+    film_.drop();
+    drawing_.drop();
+}
+
+// A file that cannot be read is missing, like one that could not be made. With `about` it tells of itself.
+bool KioskPhone::add_file(const std::filesystem::path& place, sharing::FileContent& into,
+                          const asset::About* about) {
+    const auto plain = files::read_file(place, kMostFilmBytes);
+    if (!plain) {
+        answer({.words = "page: " + plain.error().message});
+        return false;
+    }
+    const auto bytes = std::as_bytes(std::span(*plain));
+    auto told = about != nullptr ? asset::picture_about(bytes, *about)
+                                 : std::vector<std::byte>(bytes.begin(), bytes.end());
+    if (!told) {
+        answer({.words = "page: " + told.error().message});
+        return false;
+    }
+    into.bytes = std::move(*told);
+    return true;
+}
+
 bool KioskPhone::add_film(sharing::SharedPot& pot, const asset::About& about) {
     const auto film = film_.files();
-    if (!film) return false;
-    const auto add = [&](const std::filesystem::path& place, sharing::FileContent& into, bool tells = true) {
-        const auto plain = files::read_file(place, kMostFilmBytes);
-        if (!plain) {
-            answer({.words = "film: " + plain.error().message});
-            return false;
-        }
-        const auto bytes = std::as_bytes(std::span(*plain));
-        auto told =
-            tells ? asset::picture_about(bytes, about) : std::vector<std::byte>(bytes.begin(), bytes.end());
-        if (!told) {
-            answer({.words = "film: " + told.error().message});
-            return false;
-        }
-        into.bytes = std::move(*told);
-        return true;
-    };
-    if (!add(film->film, pot.film) || !add(film->still, pot.film_still)) return false;
+    if (!film || !add_file(film->film, pot.film, &about) || !add_file(film->still, pot.film_still, &about))
+        return false;
     std::error_code ignored;
-    if (std::filesystem::exists(film->mp4, ignored)) add(film->mp4, pot.film_mp4);
-    add(film->drawing_svg, pot.drawing_svg);
-    add(film->drawing_pdf, pot.drawing_pdf, false);
-    add(film->measures, pot.measures_json, false);
+    if (std::filesystem::exists(film->mp4, ignored))
+        static_cast<void>(add_file(film->mp4, pot.film_mp4, &about));
     pot.film_s = KioskFilm::kSeconds;
     return true;
 }
 
-void KioskPhone::add_late_film() {
-    if (!unfilmed_ || film_.is_in_the_making()) return;
-    Unfilmed late = *std::exchange(unfilmed_, std::nullopt);
-    if (add_film(late.pot, late.about)) {
+bool KioskPhone::add_drawing(sharing::SharedPot& pot, const asset::About& about) {
+    const auto drawn = drawing_.files();
+    return drawn && add_file(drawn->svg, pot.drawing_svg, &about) &&
+           add_file(drawn->pdf, pot.drawing_pdf, nullptr) &&
+           add_file(drawn->measures, pot.measures_json, nullptr);
+}
+
+void KioskPhone::add_late_files() {
+    if (!unfinished_ || is_making()) return;
+    Unfinished late = *std::exchange(unfinished_, std::nullopt);
+    const bool adds_film = !late.has_film && add_film(late.pot, late.about);
+    const bool adds_drawing = !late.has_drawing && add_drawing(late.pot, late.about);
+    if (adds_film || adds_drawing) {
         const auto renewed = outbox_->renew(late.code, late.pot, late.time);
-        if (!renewed) answer({.words = "film: " + renewed.error().message});
+        if (!renewed) answer({.words = "page: " + renewed.error().message});
     }
-    if (late.is_forgotten) film_.drop();
+    if (late.is_forgotten) drop_made();
 }
 
 // Called again later, because the folder may be on a disk that is plugged in late.
@@ -219,10 +239,12 @@ Result<screens::PhoneWay> KioskPhone::shared(const PotToShare& kept) {
         pot.surface.bytes = std::move(*surface);
     }
     const bool has_film = add_film(pot, about);
+    const bool has_drawing = add_drawing(pot, about);
     const sharing::ShareTime time = share_time_now(config);
     const auto code = outbox_->put(pot, time);
     if (!code) return code.error();
-    if (!has_film) unfilmed_ = {std::move(pot), time, *code, std::move(about)};
+    if (!has_film || !has_drawing)
+        unfinished_ = {std::move(pot), time, *code, std::move(about), has_film, has_drawing};
     screens::PhoneWay way{.page = code_of(sharing::page_url(*base, *code)), .code = code->shown()};
     if (const std::string wifi = sharing::wifi_text(config); !wifi.empty()) {
         way.wifi = code_of(wifi);

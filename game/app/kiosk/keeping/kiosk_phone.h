@@ -46,15 +46,12 @@ class KioskFilm {
         std::filesystem::path film;
         std::filesystem::path still;  // shown until the film is requested
         std::filesystem::path mp4;    // missing if its encoder failed
-        std::filesystem::path drawing_svg;
-        std::filesystem::path drawing_pdf;
-        std::filesystem::path measures;
     };
     static constexpr double kSeconds = 8.0;  // duration of a film
 
-    // Starts a film of a session file, which it moves, and the drawing, with a line of credit. Drops the
-    // previous film. System lacks: no space, no process.
-    Result<void> begin(const std::filesystem::path& session, const std::string& credit = {});
+    // Starts a film of a session file, which it moves. Drops the previous film. System lacks: no space, no
+    // process.
+    Result<void> begin(const std::filesystem::path& session);
     // Sends the glaze of its last seconds (a finish::GlazeMaterial::id) and the decoration below it, or null.
     // Once per film.
     void finish_in(std::string_view glaze, const decoration::Marks* marks);
@@ -68,8 +65,46 @@ class KioskFilm {
 
   private:
     [[nodiscard]] Files places() const {
-        return {folder_ / "film.webp", folder_ / "still.webp", folder_ / "film.mp4",
-                folder_ / "pot.svg",   folder_ / "pot.pdf",    folder_ / "pot.json"};
+        return {folder_ / "film.webp", folder_ / "still.webp", folder_ / "film.mp4"};
+    }
+
+    std::filesystem::path program_;
+    std::filesystem::path folder_;
+    std::optional<jobs::ChildProcess> maker_;
+};
+
+// The drawing and the measures of a kept pot, made by a separate process: the library that sets their text
+// ends a process that lacks fonts or memory. One thread at a time; does not block.
+class KioskDrawing {
+  public:
+    // As for KioskFilm.
+    KioskDrawing(std::filesystem::path program, std::filesystem::path folder)
+        : program_(std::move(program)),
+          folder_(std::move(folder)) {}
+    ~KioskDrawing() { drop(); }
+    KioskDrawing(const KioskDrawing&) = delete;
+    KioskDrawing& operator=(const KioskDrawing&) = delete;
+
+    struct Files {
+        std::filesystem::path svg;
+        std::filesystem::path pdf;
+        std::filesystem::path measures;
+    };
+
+    // Draws the pot that a session left, with a line of credit. Drops the previous drawing. System lacks: no
+    // space, no process.
+    Result<void> begin(const std::filesystem::path& session, const std::string& credit);
+    [[nodiscard]] bool is_in_the_making() { return maker_ && maker_->is_at_work(); }
+    // The files of the last drawing once all are complete; nothing if one failed.
+    [[nodiscard]] std::optional<Files> files() const {
+        return maker_ && maker_->has_succeeded() ? std::optional(places()) : std::nullopt;
+    }
+    // Deletes its files and ends its process.
+    void drop() noexcept;
+
+  private:
+    [[nodiscard]] Files places() const {
+        return {folder_ / "pot.svg", folder_ / "pot.pdf", folder_ / "pot.json"};
     }
 
     std::filesystem::path program_;
@@ -116,11 +151,12 @@ class KioskPhone final : private jobs::IoWork {
     static constexpr std::int64_t kFilmWaitNs = 15'000'000'000;
 
     // `settings` must outlive it. `program`: see KioskFilm.
-    explicit KioskPhone(const KioskSettings& settings, std::filesystem::path program = {},
+    explicit KioskPhone(const KioskSettings& settings, const std::filesystem::path& program = {},
                         std::int64_t film_wait_ns = kFilmWaitNs)
         : settings_(settings),
           film_wait_ns_(film_wait_ns),
-          film_(std::move(program), state_folder(settings.config.gallery.folder) / "film") {}
+          film_(program, state_folder(settings.config.gallery.folder) / "film"),
+          drawing_(program, state_folder(settings.config.gallery.folder) / "drawn") {}
     ~KioskPhone() override { stop(); }
 
     // Does nothing if sharing is off.
@@ -134,10 +170,11 @@ class KioskPhone final : private jobs::IoWork {
 
     // Main thread. Begins the film of a pot that may be shared later.
     void film(std::filesystem::path session);
-    // Drops the request for the pot of a visitor who has left. A film that its page lacks is still made.
+    // Drops the request for the pot of a visitor who has left. A film or a drawing that its page lacks is
+    // still made.
     void forget();
-    // Answered by kShared once every file is on the disk, or by kShareFailed. Waits for the film for
-    // kFilmWaitNs at most; a later film is added to the page, unless another film is begun before.
+    // Answered by kShared once every file is on the disk, or by kShareFailed. Waits for film and drawing for
+    // kFilmWaitNs at most; later ones are added to the page, unless another film is begun before.
     void share(PotToShare pot);
     // Ends the sharing of a pot that the staff deleted or withdrew. Answered by kShareOver if it had a code.
     void withdraw(std::string gallery_name);
@@ -152,22 +189,29 @@ class KioskPhone final : private jobs::IoWork {
     void finish() noexcept override {}
     [[nodiscard]] Result<void> open();
     [[nodiscard]] Result<screens::PhoneWay> shared(const PotToShare& kept);
-    void share_when_filmed();
+    [[nodiscard]] bool is_making() { return film_.is_in_the_making() || drawing_.is_in_the_making(); }
+    void drop_made() noexcept;
+    void share_when_made();
     void share_now(const PotToShare& kept);
+    [[nodiscard]] bool add_file(const std::filesystem::path& place, sharing::FileContent& into,
+                                const asset::About* about);
     [[nodiscard]] bool add_film(sharing::SharedPot& pot, const asset::About& about);
-    void add_late_film();
+    [[nodiscard]] bool add_drawing(sharing::SharedPot& pot, const asset::About& about);
+    void add_late_files();
     void look_after();
     void expire();
     void count_opened();
     void note(const PhoneNote& phones);
     void answer(PhoneAnswer answer) { answers_.post(std::move(answer)); }
 
-    // A pot whose page lacks its film.
-    struct Unfilmed {
+    // A pot whose page lacks its film or its drawing.
+    struct Unfinished {
         sharing::SharedPot pot;
         sharing::ShareTime time;
         sharing::ShareCode code;
         asset::About about;
+        bool has_film = false;
+        bool has_drawing = false;
         bool is_forgotten = false;
     };
 
@@ -176,8 +220,9 @@ class KioskPhone final : private jobs::IoWork {
     std::optional<sharing::Outbox> outbox_;
     std::optional<sharing::CounterReader> counter_;
     KioskFilm film_;
-    std::optional<PotToShare> waiting_;  // waits for its film
-    std::optional<Unfilmed> unfilmed_;
+    KioskDrawing drawing_;
+    std::optional<PotToShare> waiting_;  // waits for its film and its drawing
+    std::optional<Unfinished> unfinished_;
     std::int64_t now_ns_ = 0;  // time of the round
     std::int64_t waits_until_ns_ = 0;
     std::int64_t looked_after_ns_ = 0;
