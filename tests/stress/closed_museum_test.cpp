@@ -111,7 +111,7 @@ TEST_F(Museum, IsDimAndSilentWhileItIsClosed) {
     EXPECT_TRUE(is_heard());
 }
 
-TEST_F(Museum, ShowsTenPicturesASecondWhileItIsClosedAndAllOfThemToSomebody) {
+TEST_F(Museum, ShowsHalfOfThePicturesToNobodyTenASecondWhileItIsClosedAndAllToSomebody) {
     const auto shown_in_two_seconds = [&] {
         const std::uint64_t before = kiosk.frames_shown();
         for (int frame = 0; frame < 120; ++frame)
@@ -120,10 +120,10 @@ TEST_F(Museum, ShowsTenPicturesASecondWhileItIsClosedAndAllOfThemToSomebody) {
     };
     ASSERT_TRUE(kiosk.until([&] { return kiosk.frames_shown() > 0; }))
         << "the first picture waits for its words";
-    EXPECT_EQ(shown_in_two_seconds(), 120U);
+    EXPECT_EQ(shown_in_two_seconds(), 60U);
     minute = 18 * kHourMin;
     ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_closed(); }));
-    EXPECT_EQ(shown_in_two_seconds(), 120U) << "while it fades";
+    EXPECT_EQ(shown_in_two_seconds(), 60U) << "while it fades";
     for (int frame = 0; frame < 300; ++frame)
         kiosk.frame();
     const std::uint64_t dim = shown_in_two_seconds();
@@ -131,6 +131,23 @@ TEST_F(Museum, ShowsTenPicturesASecondWhileItIsClosedAndAllOfThemToSomebody) {
     EXPECT_LE(dim, 20U);
     kiosk.touch();
     EXPECT_GE(shown_in_two_seconds(), 119U);
+}
+
+TEST_F(Museum, DrawsTheFirstTouchInTheFrameThatBringsIt) {
+    ASSERT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kAttract; }));
+    const auto is_drawn = [&] {
+        const std::uint64_t before = kiosk.frames_shown();
+        kiosk.frame();
+        return kiosk.frames_shown() != before;
+    };
+    while (!is_drawn()) {
+    }
+    kiosk.point(10.0, 10.0);  // the next frame would have no picture
+    kiosk.hold(true);
+    EXPECT_TRUE(is_drawn());
+    kiosk.hold(false);
+    EXPECT_TRUE(is_drawn());
+    EXPECT_TRUE(kiosk.until([&] { return kiosk.shown_screen() == Screen::kChoose; }));
 }
 
 }  // namespace

@@ -84,14 +84,18 @@ Result<void> run_visits(KioskVisit& visit, haptic::HapticJob& job, const Beside&
     std::optional<jobs::FramePacer<>> pacer;
     pacer.emplace(clock, frame_rate_hz);
     std::optional<double> beat_s;
+    bool has_drawn = true;
     while (!visit.quits() && !end_was_asked()) {
         if (job.finished()) return failed("the haptic loop has ended by itself");
         // The display or the GPU has changed.
         if (const double rate_hz = beside.view.frame_rate_hz(); rate_hz != frame_rate_hz)
             pacer.emplace(clock, frame_rate_hz = rate_hz);
-        pacer->wait(beside.view.wait_for_display());
+        // A frame without a picture has nothing to wait for.
+        pacer->wait(has_drawn && beside.view.wait_for_display());
         const double now_s = jobs::MonotonicClock::now_s();
+        const std::uint64_t shown_before = visit.frames_shown();
         if (auto shown = visit.frame(now_s); !shown) return shown;
+        has_drawn = visit.frames_shown() != shown_before;
         // The first beat follows the first picture.
         if (beat_s ? now_s - *beat_s >= KioskHeartbeat::kEveryS : visit.frames_shown() > 0) {
             beat_s = now_s;

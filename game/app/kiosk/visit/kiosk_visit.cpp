@@ -102,24 +102,37 @@ Result<void> KioskVisit::frame(double now_s) {
     parts_.sound.hear(moment.snapshot, is_closed(), visit::kiln_burns(state_));
     scene_.aim_camera(state_, jar_.height_mm(moment.snapshot), screens_.asked(), stage_.covers());
     screens_.update(state_, moment, scene_.edges(), wheel_.finger().wire_mm());
-    const Result<void> drawn = is_worth_drawing() ? draw(moment) : Result<void>{};
+    const double last_drawn_s = drawn_s_;
+    const Result<void> drawn =
+        is_worth_drawing() ? draw(moment, std::min(now_s_ - last_drawn_s, kLongestFrameS)) : Result<void>{};
     speak(moment);
     moment_ = nullptr;
     return drawn;
 }
 
-// Nobody looks at the dim screen of a closed museum, so it shows ten pictures a second once it has faded. And
-// the room without words would tell nobody at the start that it can be touched.
+// The room without words would tell nobody at the start that it can be touched.
 bool KioskVisit::is_worth_drawing() {
     constexpr double kWordsWithinS = 5.0;
     if (stage_.shown() == nullptr && screens_.composer().latest() == nullptr &&
         now_s_ - began_s_ < kWordsWithinS)
         return false;
-    constexpr double kFadedS = 5.0;
-    constexpr double kEveryS = 0.1;
-    if (!is_closed()) open_until_s_ = now_s_;
-    if (now_s_ - open_until_s_ < kFadedS || now_s_ - drawn_s_ >= kEveryS) drawn_s_ = now_s_;
+    const double every_s = picture_every_s();
+    if (now_s_ - drawn_s_ >= every_s) drawn_s_ = now_s_;
     return drawn_s_ == now_s_;
+}
+
+// Nobody looks at the dim screen of a closed museum, so it shows ten pictures a second once it has faded.
+// While nobody is there, every second picture of a display of 60 Hz shows the demonstration; the frames
+// between take input.
+double KioskVisit::picture_every_s() {
+    constexpr double kFadedS = 5.0;
+    constexpr double kDimS = 0.1;
+    constexpr double kUnattendedS = 0.025;
+    if (!is_closed()) open_until_s_ = now_s_;
+    if (now_s_ - open_until_s_ >= kFadedS) return kDimS;
+    const bool somebody = !is_idle() || state_.panel != kiosk::Panel::kNone || input_.hovers(now_s_) ||
+                          input_.pointer().rests_on_scene() || input_.pointer().pressed() >= 0;
+    return somebody ? 0.0 : kUnattendedS;
 }
 
 KioskPulse KioskVisit::pulse() const {
@@ -130,7 +143,7 @@ KioskPulse KioskVisit::pulse() const {
     return pulse;
 }
 
-Result<void> KioskVisit::draw(const VisitMoment& moment) {
+Result<void> KioskVisit::draw(const VisitMoment& moment, double since_drawn_s) {
     screens::Composer& composer = screens_.composer();
     stage_.take(composer.latest(), now_s_);
     composer.hold(input_.pointer().rests_on_scene());
@@ -157,7 +170,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment) {
                                   .atlas_side_px = stage_.atlas_side_px(),
                                   .scene_rests = stage_.scene_rests(),
                                   .covers = stage_.covers()};
-    auto drawn = parts_.view.draw(moment.snapshot, moment.dt_s, &overlay);
+    auto drawn = parts_.view.draw(moment.snapshot, since_drawn_s, &overlay);
     if (!drawn) return drawn.error();
     if (*drawn) ++frames_shown_;
     for (const std::string& line : parts_.view.take_remarks())

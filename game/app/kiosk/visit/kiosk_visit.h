@@ -51,8 +51,10 @@ class KioskVisit final : private VisitFlow {
     void tell_whether_idle();
     void say(const std::string& line) override;
     void warn(const std::string& line) override;
-    Result<void> draw(const VisitMoment& moment);
+    // since_drawn_s: since the last picture.
+    Result<void> draw(const VisitMoment& moment, double since_drawn_s);
     [[nodiscard]] bool is_worth_drawing();
+    [[nodiscard]] double picture_every_s();
     void look_at_shown(const haptic::Snapshot& snapshot);
     // What a visitor by ear is told of this frame.
     void speak(const VisitMoment& moment);
