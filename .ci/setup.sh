@@ -12,9 +12,15 @@ packages_to_run=(
     libpango1.0-dev libfontconfig-dev libtomlplusplus-dev fonts-nanum fonts-noto-core
     mesa-vulkan-drivers)
 packages_to_check=(
-    clang-14 clang-format-14 libclang-rt-14-dev glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers
+    glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers
     xvfb xserver-xorg-core xserver-xorg-video-dummy xserver-xorg-dev xdotool x11-xserver-utils libx11-dev umockdev libumockdev-dev admesh zbar-tools curl python3 git
     systemd cage xwayland dpkg-dev qemu-user fonts-noto-cjk espeak-ng)
+# The clang of .cmake/clang.cmake. Only Debian 12 has the clang-format that the source is formatted by.
+if grep -qs '^VERSION_CODENAME=bookworm$' /etc/os-release; then
+    packages_to_check+=(clang-14 libclang-rt-14-dev clang-format-14)
+else
+    packages_to_check+=(clang-19 libclang-rt-19-dev)
+fi
 packages_for_web=(chromium gir1.2-webkit2-4.1 python3-gi libgl1-mesa-dri gstreamer1.0-plugins-good gstreamer1.0-libav)
 packages_for_swiftshader=(chromium)
 packages_for_slicer=(prusa-slicer)

@@ -1,4 +1,4 @@
-# Third-party libraries, all from Debian 12. Each is used in one room only, listed in
+# Third-party libraries, all from Debian 12 and 13. Each is used in one room only, listed in
 # tests/house/allowed_includes.txt.
 
 find_package(PkgConfig REQUIRED)

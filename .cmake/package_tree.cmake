@@ -5,7 +5,8 @@ set(kiosk ${CPACK_TEMPORARY_DIRECTORY}/kiosk/usr/share)
 
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(version ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
-file(WRITE ${onggi}/doc/onggi/changelog.Debian "onggi (${version}) bookworm; urgency=medium
+cmake_host_system_information(RESULT suite QUERY DISTRIB_VERSION_CODENAME)
+file(WRITE ${onggi}/doc/onggi/changelog.Debian "onggi (${version}) ${suite}; urgency=medium
 
   * Built of this commit. What is new: changelog.gz.
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Tests the packages on a bare Debian 12: installed by apt, every command run, a visitor at the kiosk under
+# Tests the packages on a bare Debian of this machine's suite: installed by apt, every command run, a visitor at the kiosk under
 # cage, an upgrade in the middle of the next visit, a purge. Prints a transcript. bare_debian.sh BUILD
 # PACKAGES FOLDER CACHE Needs root for chroot and mounts, which are in a private namespace and end with it.
 # There is no systemd: the script does its work according to the unit.
@@ -20,7 +20,7 @@ rm -rf "$folder"
 mkdir -p "$folder"
 mount -t proc proc /proc  # of this namespace, for kill and pkill
 
-say "a bare Debian 12"
+say "a bare Debian, $suite"
 unpack_bare_debian
 mount_machine
 echo "$(cat "$root/etc/debian_version"), $(du -sxm "$root" | cut -f 1) MB, $(in_root dpkg-query -f '.\n' -W | wc -l) packages"

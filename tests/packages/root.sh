@@ -1,5 +1,8 @@
-# A bare Debian 12 in a folder, and functions to run commands in it. Sourced, never run, in a private mount
-# namespace (bare_debian.sh); `root` is its folder, `cache` keeps downloads between runs.
+# A bare Debian in a folder, and functions to run commands in it. Sourced, never run, in a private mount
+# namespace; `root` is its folder, `cache` keeps downloads between runs, `suite` is the machine's unless it is set.
+
+machine_suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+suite=${suite:-$machine_suite}
 
 fail() { printf '%s\n' "$*"; exit 1; }
 say() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
@@ -11,15 +14,17 @@ show() {
 
 # The smallest root for apt, made once from the machine's package sources.
 unpack_bare_debian() {
-    if [ ! -s "$cache/bookworm.tar" ]; then
+    if [ ! -s "$cache/$suite.tar" ]; then
         mkdir -p "$cache"
-        mmdebstrap --variant=minbase --include=ca-certificates bookworm "$cache/bookworm.part.tar" \
-            "${ONGGI_DEBIAN_SOURCES:-/etc/apt/sources.list.d/debian.sources}" >"$cache/mmdebstrap.log" 2>&1 ||
-            { cat "$cache/mmdebstrap.log"; fail "expected a bare Debian 12, made none"; }
-        mv "$cache/bookworm.part.tar" "$cache/bookworm.tar"
+        sed "s/\b$machine_suite\b/$suite/g" "${ONGGI_DEBIAN_SOURCES:-/etc/apt/sources.list.d/debian.sources}" >"$cache/debian.sources"
+        mmdebstrap --variant=minbase --include=ca-certificates "$suite" "$cache/$suite.part.tar" "$cache/debian.sources" \
+            >"$cache/mmdebstrap.log" 2>&1 || { cat "$cache/mmdebstrap.log"; fail "expected a bare Debian $suite, made none"; }
+        mv "$cache/$suite.part.tar" "$cache/$suite.tar"
     fi
     mkdir -p "$root"
-    tar -xf "$cache/bookworm.tar" -C "$root"
+    tar -xf "$cache/$suite.tar" -C "$root"
+    # Where a machine has it, by which the root makes roots of its own.
+    mv "$root"/etc/apt/sources.list.d/*.sources "$root/etc/apt/sources.list.d/debian.sources"
 }
 
 # File systems that the kernel and systemd would mount. None of the machine's devices.

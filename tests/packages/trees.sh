@@ -26,6 +26,13 @@ for name in onggi onggi-kiosk; do
     done < <(cd "$folder/$name" && find . ! -type d -printf '%P\n')
     cp -a "$folder/$name/." "$folder/packed"
 done
+# The libraries are those of this suite, so version and changelog name it, and each package asks for the other of its suite.
+for word in ID VERSION_ID VERSION_CODENAME; do declare "$word=$(. /etc/os-release && echo "${!word}")"; done
+version=$(sed -n 's/^Version: //p' "$folder/onggi.control/control")
+[[ "$version" = *-1~${ID/#debian/deb}$VERSION_ID ]] || fail "expected a version that ends in -1~deb12 on Debian 12, found $version"
+grep -qF "onggi (= $version)" "$folder/onggi-kiosk.control/control" || fail "expected the kiosk's package to need onggi $version"
+[[ "$(zcat "$folder/onggi/usr/share/doc/onggi/changelog.Debian.gz" | head -1)" = "onggi ($version) $VERSION_CODENAME; "* ]] ||
+    fail "expected a changelog of $version in $VERSION_CODENAME"
 # All packed files, by their bytes.
 (cd "$folder/packed" && find . -type f -exec sha256sum {} +) | cut -d ' ' -f 1 | sort -u >"$folder/sums"
 
