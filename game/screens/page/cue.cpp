@@ -50,13 +50,13 @@ float facing(std::size_t segment, std::size_t points) {
 void draw_across(std::span<const vec2> edge, const std::function<void(std::span<const vec2>, float)>& draw) {
     constexpr float kHidden = 0.02F;
     constexpr float kWhole = 0.12F;
-    constexpr float kSteps = 4.0F;
+    constexpr float kFadeSteps = 4.0F;
     if (edge.size() < 2) return;
     const float width = std::max(1.0F, edge.back().x - edge.front().x);
     const auto strength = [&](std::size_t segment) {
         const float at = (0.5F * (edge[segment].x + edge[segment + 1].x) - edge.front().x) / width;
         const float inward = (std::min(at, 1.0F - at) - kHidden) / (kWhole - kHidden);
-        return std::ceil(kSteps * std::clamp(inward, 0.0F, 1.0F)) / kSteps;
+        return std::ceil(kFadeSteps * std::clamp(inward, 0.0F, 1.0F)) / kFadeSteps;
     };
     for (std::size_t first = 0, end = 1; end < edge.size(); first = end++) {
         const float here = strength(first);
