@@ -92,7 +92,10 @@ class SteadyHand final : public haptic::ToolDevice {
                 .radius_mm = 10.0,
                 .wheel_button = true};
     }
-    void write(const dvec3& force_n) noexcept override { benchmark::DoNotOptimize(force_n); }
+    void write(const dvec3& force_n) noexcept override {
+        dvec3 written_n = force_n;
+        benchmark::DoNotOptimize(written_n);
+    }
 
   private:
     double wall_mm_;
@@ -112,7 +115,7 @@ void run_whole_ticks(benchmark::State& state, haptic::HapticState start, double 
     double contacts = 0.0;
     for ([[maybe_unused]] auto iteration : state) {
         watch.start();
-        const bool more = work.tick(period);
+        bool more = work.tick(period);
         const double taken_s = watch.stop_s();
         state.SetIterationTime(taken_s);
         taken_ns.record(static_cast<std::int64_t>(taken_s * 1e9));

@@ -50,6 +50,13 @@ run_share() {
     grep -qi '<html' "$folder/share.html" || { cat "$folder/share.log"; fail "expected a page of onggi share's"; }
     echo "# onggi share: a page of $(wc -c <"$folder/share.html") bytes"
 }
+run_gallery() {
+    in_root mkdir -p /tmp/work/old/2026-01-01/pot-001
+    cp "$root$shown/bowl.onggi" "$root/tmp/work/old/2026-01-01/pot-001/pot.onggi"
+    show onggi_as_visitor gallery export house.zip --gallery old
+    show onggi_as_visitor gallery import house.zip --gallery new
+    leaves new/2026-01-01/pot-001/pot.onggi
+}
 run_devices() { show onggi_as_visitor devices; }
 # The status of the installed kiosk, which has not been started yet.
 run_status() {

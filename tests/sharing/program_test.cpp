@@ -1,4 +1,5 @@
 // `onggi share` as a program: refusals, access to files, and its end.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/landlock.h>
 #include <sys/syscall.h>

@@ -22,7 +22,7 @@ Gesture gesture_of(const std::string& rows, const std::string& header = kHeader)
     auto gesture = parse_gesture(header + rows, "g.csv");
     if (!gesture) {
         ADD_FAILURE() << gesture.error().message;
-        return std::move(*parse_gesture(kHeader + "0,0,0,0,0,10\n", "g.csv"));
+        return *parse_gesture(kHeader + "0,0,0,0,0,10\n", "g.csv");
     }
     return std::move(gesture).value();
 }
