@@ -1,10 +1,11 @@
 # A bare Debian in a folder, and functions to run commands in it. Sourced, never run, in a private mount
 # namespace; `root` is its folder, `cache` keeps downloads between runs, `suite` is the machine's unless it is set.
 
+fail() { printf '%s\n' "$*"; exit 1; }
 machine_suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+[ -n "$machine_suite" ] || fail "expected VERSION_CODENAME in /etc/os-release, found none"
 suite=${suite:-$machine_suite}
 
-fail() { printf '%s\n' "$*"; exit 1; }
 say() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
 # show COMMAND...: runs a command and prints it with its output.
 show() {

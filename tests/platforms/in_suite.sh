@@ -13,12 +13,13 @@ shift 2
 source "$(dirname "${BASH_SOURCE[0]}")/../packages/root.sh"
 mount -t proc proc /proc  # of this namespace
 
-[ -d "$root/root" ] || unpack_bare_debian
+[ -e "$cache/is-unpacked" ] || { rm -rf --one-file-system "$root"; unpack_bare_debian; touch "$cache/is-unpacked"; }
 # Of git, because a copy of the files alone would have no commit to name the packages by.
 clone=$root/root/onggi
 [ -d "$clone" ] || git clone -q . "$clone"
 git -C "$clone" fetch -q "$PWD" HEAD
 git -C "$clone" checkout -q -f --detach FETCH_HEAD
+git -C "$clone" clean -q -f -d  # files that the last changes added
 git diff --binary HEAD >"$cache/changes"
 [ ! -s "$cache/changes" ] || git -C "$clone" apply "$cache/changes"
 

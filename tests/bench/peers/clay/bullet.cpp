@@ -66,8 +66,9 @@ class SoftBody : public Model {
         for (int sector = 0; sector < kSectors; ++sector)
             body_->setMass(node(0, sector), 0);
         body_->setMass(bottom, 0);
-        body_->setPose(true,
-                       false);  // the volume; matching the whole shape throws a body with fixed nodes apart
+        body_->setPose(
+            true,
+            false);  // the volume alone (findings/bullet-throws-a-fine-posed-body-on-fixed-nodes-apart.sh)
         world_.addSoftBody(body_);
     }
     ~SoftBody() override {
