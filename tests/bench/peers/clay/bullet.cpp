@@ -66,9 +66,8 @@ class SoftBody : public Model {
         for (int sector = 0; sector < kSectors; ++sector)
             body_->setMass(node(0, sector), 0);
         body_->setMass(bottom, 0);
-        body_->setPose(
-            true,
-            false);  // the volume alone (findings/bullet-throws-a-fine-posed-body-on-fixed-nodes-apart.sh)
+        // Of the pose the volume alone (findings/bullet-throws-a-fine-posed-body-on-fixed-nodes-apart.sh).
+        body_->setPose(true, false);
         world_.addSoftBody(body_);
     }
     ~SoftBody() override {
