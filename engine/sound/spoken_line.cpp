@@ -86,6 +86,8 @@ class Frames {
     bool fill() {
         if (count_ > 0) before_ = mixed(count_ - 1);
         first_ += count_;
+        // As floats, for as shorts a float file is silence
+        // (findings/libsndfile-reads-a-float-file-as-silent-shorts.sh).
         count_ = std::max<sf_count_t>(0, sf_readf_float(file_, block_.data(), kBlockFrames));
         return count_ > 0;
     }

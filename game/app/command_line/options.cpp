@@ -29,6 +29,8 @@ namespace {
 constexpr int kMinSide = 16;
 constexpr int kMaxSide = 8192;
 
+// Reads the text itself, for CLI11 takes 010 for 8
+// (findings/cli11-reads-a-number-with-a-leading-zero-as-octal.sh).
 template <typename T>
 CLI::Option* add_bounded(CLI::App& command, const std::string& name, std::optional<T>& number, T least,
                          T most, const std::string& kind, const std::string& description) {

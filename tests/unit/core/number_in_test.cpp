@@ -9,6 +9,7 @@ namespace {
 
 TEST(NumberIn, ParsesTheWholeTextOrFails) {
     EXPECT_EQ(number_in<int>("-17"), -17);
+    EXPECT_EQ(number_in<int>("010"), 10);
     EXPECT_EQ(number_in<double>("1e-3"), 1e-3);
     EXPECT_EQ(number_in<std::uint64_t>("18446744073709551615"), UINT64_MAX);
     for (const char* text : {"", " 1", "1 ", "+1", "1x", "0x10", "1,5", "one"}) {
