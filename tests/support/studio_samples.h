@@ -21,10 +21,9 @@ struct StudioSample {
 };
 
 // A fresh lump (solid, off centre), a thrown cylinder as it stands and glaze-fired, a thrown vase
-// bisque-fired, a cylinder dented by a standing finger, a cylinder
-// that was never centred, a wet bowl that the wheel spun apart, a tube, a cup
-// upside down, a hollow closed over, walls of a millimetre, a ring of clay, and a jagged wall such as no hand
-// makes.
+// bisque-fired, a cylinder dented by a standing finger, a cylinder that was never centred, a wet bowl that
+// the wheel spun apart, a tube, a cup upside down, a hollow closed over, walls of a millimetre, a ring of
+// clay, and a jagged wall such as no hand makes.
 std::vector<StudioSample> all_studio_samples();
 
 }  // namespace onggi::support

@@ -98,7 +98,7 @@ void kiln(Page& page, vec2 floor, float scale) {
     page.moving({.flicker = 0.22F}, [&] {
         page.shade(ui::overlap(shine, {0.0F, 0.0F, page.width(), page.height()}), [&](vec2 at) {
             const float away = std::min(1.0F, glm::length((at - shine.centre()) / reach));
-            return ui::mix(ui::hex(0xc2561c, 0.85F), ui::hex(0x1b0f09, 0.0F), away);
+            return ui::mix(ui::hex(0xc2561c, 0.85F), kKilnDark.with_alpha(0.0F), away);
         });
     });
     kiln_mouth(page, floor, scale);
@@ -145,7 +145,7 @@ void kiln_door(Page& page, vec2 floor, float scale) {
     sketch.add(ui::Shape{.path = kDoor,
                          .placing = placing,
                          .fill = ui::hex(0x4a2816),
-                         .stroke = ui::hex(0x1b0f09),
+                         .stroke = kKilnDark,
                          .stroke_width = 7.0F});
     sketch.add(ui::Shape{
         .path = joints, .placing = placing, .stroke = ui::hex(0xf08a34, 0.62F), .stroke_width = 3.0F});
@@ -294,8 +294,8 @@ void draw_firing(Page& page) {
     if (stage == FiringStage::kFire && !view.state.comfort.still)
         page.moving({.begins_s = 1.3F, .lasts_s = 0.7F, .from_y_u = -door_way(floor)},
                     [&] { kiln_door(page, floor, kiln_scale); });
-    page.down({0.0F, words_y - 66.0F, width, 66.0F}, ui::hex(0x1b0f09, 0.0F), ui::hex(0x1b0f09, 0.93F));
-    page.down({0.0F, words_y, width, height - words_y}, ui::hex(0x1b0f09, 0.93F), ui::hex(0x1b0f09));
+    page.down({0.0F, words_y - 66.0F, width, 66.0F}, kKilnDark.with_alpha(0.0F), kKilnDark.with_alpha(0.93F));
+    page.down({0.0F, words_y, width, height - words_y}, kKilnDark.with_alpha(0.93F), kKilnDark);
     constexpr std::array kKeys{"fin.cut", "fin.dry", "fin.fire"};
     const float column = tall ? 218.0F : std::min(230.0F, (width - 264.0F) / 3.0F);
     const float left =

@@ -88,5 +88,9 @@ struct Overlay {
 [[nodiscard]] inline Finger open_finger(const ScreenState& state) {
     return state.panel == Panel::kNone ? step_of(state.screen).finger : Finger::kNone;
 }
+// The finger is a hand at the clay, upright or upside down, and so are the arrow keys.
+[[nodiscard]] inline bool finger_is_hand(const ScreenState& state) {
+    return open_finger(state) == Finger::kClay || open_finger(state) == Finger::kFoot;
+}
 
 }  // namespace onggi::visit

@@ -43,59 +43,49 @@ screens::PhoneCode code_of(const std::string& text) {
 
 }  // namespace
 
-Result<void> KioskFilm::begin(const std::filesystem::path& session) {
+Result<void> KioskMaker::make(std::vector<std::string> words, const std::filesystem::path& input) {
     drop();
     if (program_.empty()) return {};
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
-    const std::filesystem::path taken = folder_ / "session.onggi";
-    if (!error) std::filesystem::rename(session, taken, error);
-    if (error) return system_lacks(fmt::format("film: {}: {}", taken.string(), error.message()));
-    const Files made = places();
-    auto maker = jobs::ChildProcess::start({program_, "film", taken, "--out", made.film, "--still",
-                                            made.still, "--mp4", made.mp4, "--quick", "--glaze", "-",
-                                            "--seconds", fmt::format("{}", kSeconds)});
-    if (!maker) return system_lacks("film: " + maker.error().message);
+    if (!error && !input.empty()) std::filesystem::rename(input, input_place(), error);
+    if (error) return system_lacks(fmt::format("{}: {}: {}", name_, folder_.string(), error.message()));
+    words.insert(words.begin(), program_);
+    auto maker = jobs::ChildProcess::start(std::move(words));
+    if (!maker) return system_lacks(fmt::format("{}: {}", name_, maker.error().message));
     maker_.emplace(std::move(*maker));
     return {};
+}
+
+void KioskMaker::drop() noexcept {
+    maker_.reset();
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+}
+
+Result<void> KioskFilm::begin(const std::filesystem::path& session) {
+    const Files made = places();
+    return make({"film", input_place(), "--out", made.film, "--still", made.still, "--mp4", made.mp4,
+                 "--quick", "--glaze", "-", "--seconds", fmt::format("{}", kSeconds)},
+                session);
 }
 
 void KioskFilm::finish_in(std::string_view glaze, const decoration::Marks* marks) {
-    if (!maker_) return;
+    if (!was_begun()) return;
     std::string words(glaze);
     // If the decoration's file is missing, the film shows the plain pot.
-    const std::filesystem::path place = folder_ / "marks";
+    const std::filesystem::path place = folder() / "marks";
     if (marks != nullptr && files::write_file_atomically(place, decoration::bytes_of(marks->recorded)))
         words += ' ' + place.string();
-    maker_->tell(words);
-}
-
-void KioskFilm::drop() noexcept {
-    maker_.reset();
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
+    tell(words);
 }
 
 Result<void> KioskDrawing::begin(const std::filesystem::path& session, const std::string& credit) {
-    drop();
-    if (program_.empty()) return {};
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (error) return system_lacks(fmt::format("drawing: {}: {}", folder_.string(), error.message()));
     const Files made = places();
-    std::vector<std::string> words{program_, "replay",    session,  "--fired",    "glaze",      "--drawing",
-                                   made.svg, "--drawing", made.pdf, "--measures", made.measures};
+    std::vector<std::string> words{"replay", session,     "--fired", "glaze",      "--drawing",
+                                   made.svg, "--drawing", made.pdf,  "--measures", made.measures};
     if (!credit.empty()) words.push_back("--credit=" + credit);
-    auto maker = jobs::ChildProcess::start(std::move(words));
-    if (!maker) return system_lacks("drawing: " + maker.error().message);
-    maker_.emplace(std::move(*maker));
-    return {};
-}
-
-void KioskDrawing::drop() noexcept {
-    maker_.reset();
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
+    return make(std::move(words));
 }
 
 Result<void> KioskPhone::start() {

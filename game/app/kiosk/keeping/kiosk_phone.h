@@ -28,19 +28,48 @@
 
 namespace onggi::app {
 
-// The film of the cut-off pot, made by a separate process during the visit: it takes some seconds of a
-// processor and 80 MB, which must not affect the wheel. The process begins while the pot dries and receives
-// the glaze once it is chosen. One thread at a time; does not block.
-class KioskFilm {
+// Files that a separate process of this program makes in a folder of its own. One thread at a time; does not
+// block.
+class KioskMaker {
   public:
-    // `program` is the executable with the command `film`; empty: no films. `folder` must be used by this
-    // object only.
-    KioskFilm(std::filesystem::path program, std::filesystem::path folder)
+    KioskMaker(const KioskMaker&) = delete;
+    KioskMaker& operator=(const KioskMaker&) = delete;
+
+    [[nodiscard]] bool is_in_the_making() { return maker_ && maker_->is_at_work(); }
+    // Deletes its files and ends its process.
+    void drop() noexcept;
+
+  protected:
+    // `program` is this program's executable; empty: makes nothing. `name` is for errors.
+    KioskMaker(std::filesystem::path program, std::filesystem::path folder, std::string name)
         : program_(std::move(program)),
-          folder_(std::move(folder)) {}
-    ~KioskFilm() { drop(); }
-    KioskFilm(const KioskFilm&) = delete;
-    KioskFilm& operator=(const KioskFilm&) = delete;
+          folder_(std::move(folder)),
+          name_(std::move(name)) {}
+    ~KioskMaker() { drop(); }
+
+    // Drops what was made, moves the file `input` to input_place() unless it is empty, and starts the program
+    // with these words. System lacks: no space, no process.
+    Result<void> make(std::vector<std::string> words, const std::filesystem::path& input = {});
+    [[nodiscard]] std::filesystem::path input_place() const { return folder_ / "session.onggi"; }
+    // Sends one line to the process.
+    void tell(std::string_view line) { maker_->tell(line); }
+    [[nodiscard]] bool was_begun() const { return maker_.has_value(); }
+    [[nodiscard]] bool has_made() const { return maker_ && maker_->has_succeeded(); }
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  private:
+    std::filesystem::path program_;
+    std::filesystem::path folder_;
+    std::string name_;
+    std::optional<jobs::ChildProcess> maker_;
+};
+
+// The film of the cut-off pot. It takes some seconds of a processor and 80 MB, which must not affect the
+// wheel. Its process begins while the pot dries and receives the glaze once it is chosen.
+class KioskFilm final : public KioskMaker {
+  public:
+    KioskFilm(std::filesystem::path program, std::filesystem::path folder)
+        : KioskMaker(std::move(program), std::move(folder), "film") {}
 
     struct Files {
         std::filesystem::path film;
@@ -49,41 +78,28 @@ class KioskFilm {
     };
     static constexpr double kSeconds = 8.0;  // duration of a film
 
-    // Starts a film of a session file, which it moves. Drops the previous film. System lacks: no space, no
-    // process.
+    // Starts a film of a session file, which it moves. Drops the previous film.
     Result<void> begin(const std::filesystem::path& session);
     // Sends the glaze of its last seconds (a finish::GlazeMaterial::id) and the decoration below it, or null.
     // Once per film.
     void finish_in(std::string_view glaze, const decoration::Marks* marks);
-    [[nodiscard]] bool is_in_the_making() { return maker_ && maker_->is_at_work(); }
     // The files of the last film once it is complete; nothing if it failed.
     [[nodiscard]] std::optional<Files> files() const {
-        return maker_ && maker_->has_succeeded() ? std::optional(places()) : std::nullopt;
+        return has_made() ? std::optional(places()) : std::nullopt;
     }
-    // Deletes its files and ends its process.
-    void drop() noexcept;
 
   private:
     [[nodiscard]] Files places() const {
-        return {folder_ / "film.webp", folder_ / "still.webp", folder_ / "film.mp4"};
+        return {folder() / "film.webp", folder() / "still.webp", folder() / "film.mp4"};
     }
-
-    std::filesystem::path program_;
-    std::filesystem::path folder_;
-    std::optional<jobs::ChildProcess> maker_;
 };
 
-// The drawing and the measures of a kept pot, made by a separate process: the library that sets their text
-// ends a process that lacks fonts or memory. One thread at a time; does not block.
-class KioskDrawing {
+// The drawing and the measures of a kept pot. The library that sets their text ends a process that lacks
+// fonts or memory.
+class KioskDrawing final : public KioskMaker {
   public:
-    // As for KioskFilm.
     KioskDrawing(std::filesystem::path program, std::filesystem::path folder)
-        : program_(std::move(program)),
-          folder_(std::move(folder)) {}
-    ~KioskDrawing() { drop(); }
-    KioskDrawing(const KioskDrawing&) = delete;
-    KioskDrawing& operator=(const KioskDrawing&) = delete;
+        : KioskMaker(std::move(program), std::move(folder), "drawing") {}
 
     struct Files {
         std::filesystem::path svg;
@@ -91,25 +107,17 @@ class KioskDrawing {
         std::filesystem::path measures;
     };
 
-    // Draws the pot that a session left, with a line of credit. Drops the previous drawing. System lacks: no
-    // space, no process.
+    // Draws the pot that a session left, with a line of credit. Drops the previous drawing.
     Result<void> begin(const std::filesystem::path& session, const std::string& credit);
-    [[nodiscard]] bool is_in_the_making() { return maker_ && maker_->is_at_work(); }
     // The files of the last drawing once all are complete; nothing if one failed.
     [[nodiscard]] std::optional<Files> files() const {
-        return maker_ && maker_->has_succeeded() ? std::optional(places()) : std::nullopt;
+        return has_made() ? std::optional(places()) : std::nullopt;
     }
-    // Deletes its files and ends its process.
-    void drop() noexcept;
 
   private:
     [[nodiscard]] Files places() const {
-        return {folder_ / "pot.svg", folder_ / "pot.pdf", folder_ / "pot.json"};
+        return {folder() / "pot.svg", folder() / "pot.pdf", folder() / "pot.json"};
     }
-
-    std::filesystem::path program_;
-    std::filesystem::path folder_;
-    std::optional<jobs::ChildProcess> maker_;
 };
 
 // A shared pot, for the staff.

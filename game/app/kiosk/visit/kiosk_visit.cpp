@@ -151,9 +151,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment, double since_drawn_s) {
     wheel::WheelScene& wheel_scene = parts_.view.scene();
     wheel_scene.hold_wire(wheel_.finger().wire_mm());
     wheel_scene.lay_on_bench(tool::Tool::kRib, rib_lies_there(parts_, state_));
-    const visit::Finger finger = visit::open_finger(state_);
-    wheel_scene.show_hands(wheel_.shows() || finger == visit::Finger::kClay ||
-                           finger == visit::Finger::kFoot);
+    wheel_scene.show_hands(wheel_.shows() || visit::finger_is_hand(state_));
     drawing_.show(wheel_scene);
     jar_.show(wheel_scene, moment.snapshot);
     trim_.show(wheel_scene, moment.snapshot);
@@ -187,9 +185,8 @@ void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
     name_window(state, snapshot.pot->height_mm);
     const auto language = static_cast<std::size_t>(state.comfort.language);
     const bool right_to_left = (*shown->view->languages)[language].right_to_left();
-    const visit::Finger finger = visit::open_finger(state_);
     input_.pointer().look_at(&shown->composition, screen_key(state), right_to_left,
-                             finger == visit::Finger::kClay || finger == visit::Finger::kFoot);
+                             visit::finger_is_hand(state_));
 }
 
 // Of the keys, or of the device that has the tool.

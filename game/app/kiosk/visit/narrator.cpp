@@ -48,12 +48,6 @@ bool is_staffs(const kiosk::ScreenState& state) {
     return state.panel != Panel::kNone && visit::overlay_of(state.panel).is_staffs;
 }
 
-// The arrow keys are a hand.
-bool has_hand(const kiosk::ScreenState& state) {
-    const visit::Finger finger = visit::step_of(state.screen).finger;
-    return state.panel == Panel::kNone && (finger == visit::Finger::kClay || finger == visit::Finger::kFoot);
-}
-
 bool throws_clay(const kiosk::ScreenState& state) {
     return state.screen == Screen::kThrow && state.panel == Panel::kNone;
 }
@@ -162,7 +156,7 @@ void Narrator::tell_focus(const Hearing& now, bool is_after_line) {
     const bool had_ring = told_focus_ >= 0;
     told_focus_ = focus;
     told_target_ = name;
-    if (focus < 0 && is_new && had_ring && has_hand(now.shown.view->state))
+    if (focus < 0 && is_new && had_ring && visit::finger_is_hand(now.shown.view->state))
         say("ear.back", language_->spoken("ear.back"), !is_after_line);
     if (focus < 0 || !(is_new || now.asks_where)) return;
     const screens::Target& target = targets[static_cast<std::size_t>(focus)];

@@ -22,13 +22,9 @@ constexpr double kWorksOnS = 1.0;  // slow work changes less often than once a f
 
 using kiosk::Button;
 using visit::Finger;
+using visit::finger_is_hand;
 using visit::open_finger;
 using visit::step_of;
-
-// The hand can work on the clay, upright or upside down.
-bool finger_counts(const kiosk::State& state) {
-    return open_finger(state) == Finger::kClay || open_finger(state) == Finger::kFoot;
-}
 
 // Swaps up and down for a pot on its rim.
 Button upright(Button button, const kiosk::State& state) {
@@ -134,7 +130,7 @@ bool VisitInput::take_drawing(const PointerNews& news) {
 bool VisitInput::walks(Button arrow) {
     const Finger finger = open_finger(flow_.state());
     if (finger == Finger::kBowl) return false;
-    const bool is_hand = finger_counts(flow_.state()) || finger == Finger::kBrush;
+    const bool is_hand = finger_is_hand(flow_.state()) || finger == Finger::kBrush;
     if (is_hand && !pointer_.arrows_walk()) return false;
     pointer_.walk(arrow);
     return true;
@@ -159,7 +155,7 @@ void VisitInput::touch_clay(vec2 px, void (KioskFinger::*press)(const dvec2&)) {
 
 void VisitInput::take_arrow(const PointerNews& news) {
     if (open_finger(flow_.state()) == Finger::kBowl) flow_.dispatch(event::Pressed{news.button});
-    if (!finger_counts(flow_.state())) return;
+    if (!finger_is_hand(flow_.state())) return;
     if (news.lives) flow_.dispatch(event::ClayTouched{});
     keys_lead_ = true;
     finger_.key(finger_key(upright(news.button, flow_.state())), side_of(flow_.state()));
@@ -176,7 +172,7 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
         case PointerNews::Kind::kNone:
             break;
         case PointerNews::Kind::kPutDown:
-            if (finger_counts(flow_.state())) pointer_.begin_walk();
+            if (finger_is_hand(flow_.state())) pointer_.begin_walk();
             break;
         case PointerNews::Kind::kLife:
             flow_.dispatch(event::Input{.by_key = news.value == 1});
@@ -185,16 +181,16 @@ void VisitInput::take_news(const PointerNews& news, double now_s) {
             flow_.dispatch(event::Pressed{news.button, news.value});
             break;
         case PointerNews::Kind::kFingerDown:
-            if (!begins_on_bench(news.at_px) && finger_counts(flow_.state())) {
+            if (!begins_on_bench(news.at_px) && finger_is_hand(flow_.state())) {
                 touch_clay(news.at_px, &KioskFinger::press);
             } else {
                 flow_.dispatch(event::Input{});
             }
             break;
         case PointerNews::Kind::kFingerMoved:
-            if (!finger_counts(flow_.state()) && open_finger(flow_.state()) != Finger::kLooks) break;
+            if (!finger_is_hand(flow_.state()) && open_finger(flow_.state()) != Finger::kLooks) break;
             if (news.lives) flow_.dispatch(event::Input{});
-            if (bench_.becomes_drag(news.at_px) && finger_counts(flow_.state()))
+            if (bench_.becomes_drag(news.at_px) && finger_is_hand(flow_.state()))
                 touch_clay(news.at_px, &KioskFinger::press);
             if (const auto place = finger_place(news.at_px)) finger_.drag(*place);
             break;
@@ -260,7 +256,7 @@ void VisitInput::take(const VisitMoment& moment) {
     take_gamepads(moment);
     name_restless(moment.now_s);
     help_along();
-    if (!finger_counts(flow_.state())) finger_.release();
+    if (!finger_is_hand(flow_.state())) finger_.release();
 }
 
 // The pressure of a pen is the push, and its tilt the hand's.
@@ -321,7 +317,7 @@ void VisitInput::take_gamepads(const VisitMoment& moment) {
         take_news(news, moment.now_s);
     if (request.is_used) finger_lived_s_ = moment.now_s;
     if (request.is_used && keys.empty()) flow_.dispatch(event::Input{});
-    if (!finger_counts(flow_.state())) return;
+    if (!finger_is_hand(flow_.state())) return;
     if (request.is_for_clay) flow_.dispatch(event::ClayTouched{});
     const double up = step_of(flow_.state().screen).finger == Finger::kFoot ? -1.0 : 1.0;
     finger_.steer(request.step_mm * dvec2(1.0, up), request.presses, *moment.snapshot.pot,
