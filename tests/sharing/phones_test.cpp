@@ -23,6 +23,7 @@ namespace onggi::test {
 namespace {
 
 constexpr int kPhones = 200;
+constexpr int kRateHz = 4000;
 constexpr int kTurns = 3;
 constexpr int kMostTurns = 8;  // where other load has made all turns beside phones slow
 
@@ -121,10 +122,10 @@ struct Times {
 Times wheel_at_work(const TemporaryFolder& folder) {
     const std::string stats = (folder / "stats.json").string();
     const ProgramRun run = run_onggi({"live", in_checkout("assets/gestures/attract.csv"), "--headless",
-                                      "--rate", "4000", "--seconds", "5", "--stats", stats});
+                                      "--rate", std::to_string(kRateHz), "--seconds", "5", "--stats", stats});
     EXPECT_EQ(run.exit_code, 0) << run.err;
     const auto found = nlohmann::json::parse(content_of(stats));
-    EXPECT_EQ(found.at("rate_hz"), 4000.0);
+    EXPECT_EQ(found.at("rate_hz"), kRateHz);
     return {.tick_us = found.at("tick_ns").at("p99").get<double>() / 1000.0,
             .wake_us = found.at("wake_latency_us").at("p99").get<double>(),
             .frame_ms = found.at("frame_ms").at("p99").get<double>()};
@@ -163,13 +164,15 @@ TEST(Phones, TwoHundredAtOnceDelayNeitherTheWheelNorThePicture) {
     std::vector<Times> alone;
     std::vector<Times> beside;
     long fetched = 0;
-    // A few us more are tolerable in a period of 250 us: of the wake-up, which is short and coarse, and of
-    // the tick on cores that are two threads of one, where the phones' copying takes caches and units of the
-    // wheel's.
+    // Short times on a machine that is shared by others are coarse, so a part of the period of 250 us is
+    // tolerated beside the ratio. The phones' copying takes caches and units of a core that is one of two
+    // threads, and the kernel finishes its own part of a phone's request before it wakes the wheel.
+    constexpr double kPeriodUs = 1e6 / kRateHz;
     const auto checks = [&] {
-        return std::map<std::string, bool>{{"frame", are_not_delayed(alone, beside, &Times::frame_ms)},
-                                           {"tick", are_not_delayed(alone, beside, &Times::tick_us, 5.0)},
-                                           {"wake", are_not_delayed(alone, beside, &Times::wake_us, 25.0)}};
+        return std::map<std::string, bool>{
+            {"frame", are_not_delayed(alone, beside, &Times::frame_ms)},
+            {"tick", are_not_delayed(alone, beside, &Times::tick_us, 0.02 * kPeriodUs)},
+            {"wake", are_not_delayed(alone, beside, &Times::wake_us, 0.25 * kPeriodUs)}};
     };
     const auto hold = [&] {
         const auto found = checks();
