@@ -16,7 +16,6 @@
 #include "game/app/command_line/commands.h"
 #include "game/app/command_line/options.h"
 #include "game/app/command_line/progress.h"
-#include "game/app/command_line/throw_outputs.h"
 #include "game/app/replay/film.h"
 #include "game/app/replay/stored_session.h"
 #include "game/app/system/report.h"
@@ -38,7 +37,6 @@ struct FilmOptions {
     std::string still;
     std::string mp4;
     std::string glaze;
-    DrawingOptions drawing;
 };
 
 // Returns one of the six glazes by its name.
@@ -97,7 +95,6 @@ Result<void> write_mp4(FilmMaker& maker, const std::string& place) {
 
 Result<void> make_film(const FilmOptions& options) {
     if (auto places = check_places(options); !places) return places;
-    if (auto drawings = check_drawings(options.drawing); !drawings) return drawings;
     const bool asks_later = options.glaze == kOfStdin;
     const finish::GlazeMaterial* glaze = nullptr;
     if (!options.glaze.empty() && !asks_later) {
@@ -143,11 +140,7 @@ Result<void> make_film(const FilmOptions& options) {
         if (auto written = files::write_file_atomically(options.still, *still); !written) return written;
     }
     if (auto written = files::write_file_atomically(options.out, *film); !written) return written;
-    if (!options.mp4.empty())
-        if (auto written = write_mp4(**maker, options.mp4); !written) return written;
-    const clay::Firing stage = glaze != nullptr ? clay::Firing::kGlaze : options.finished;
-    const auto drawn = drawn_files((*maker)->state(), stage, options.drawing);
-    return drawn ? write_all(*drawn) : drawn.error();
+    return options.mp4.empty() ? Result<void>{} : write_mp4(**maker, options.mp4);
 }
 
 }  // namespace
@@ -175,7 +168,6 @@ void add_film_command(CLI::App& program, int& exit_status) {
         ->type_name("F.webp");
     command->add_option("--mp4", options->mp4, "the same film as MP4, which loops, for phones and messengers")
         ->type_name("F.mp4");
-    add_drawing_options(*command, options->drawing);
     command->add_flag("--quick", options->quick,
                       "draw like the live window: a quarter of the time, slightly coarser");
     command->callback([options, &exit_status] { exit_status = exit_code(make_film(*options)); });

@@ -229,10 +229,6 @@ const asset::Image& FilmMaker::picture() const {
     return parts_->picture;
 }
 
-const haptic::HapticState& FilmMaker::state() const {
-    return parts_->replay.state();
-}
-
 Result<std::vector<std::byte>> FilmMaker::still() const {
     const asset::Image& image = parts_->still;
     auto film = asset::WebpFilm::create({image.width, image.height, kStillQuality});

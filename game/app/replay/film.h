@@ -73,8 +73,6 @@ class FilmMaker {
     [[nodiscard]] std::size_t pictures_drawn() const;
     // The last picture drawn; empty before the first.
     [[nodiscard]] const asset::Image& picture() const;
-    // The pot after the ticks so far.
-    [[nodiscard]] const haptic::HapticState& state() const;
     // The film's still picture, from late in the making, as WebP. Precondition: the film is complete. Bad
     // input: as asset::WebpFilm.
     [[nodiscard]] Result<std::vector<std::byte>> still() const;
