@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/vk/check.h"
@@ -86,7 +90,8 @@ class AHostTarget : public testing::Test {
         auto begun = target_->begin();
         EXPECT_TRUE(begun && begun->has_value());
         const TargetImage image = **begun;
-        const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+        VkCommandBufferBeginInfo begin{};
+        begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
         EXPECT_EQ(vkBeginCommandBuffer(commands_, &begin), VK_SUCCESS);
         constexpr ImageState kCleared{VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
