@@ -8,7 +8,7 @@ namespace onggi {
 
 // Maps 0 to 1 to 0 to 255, rounded; values outside are clamped.
 [[nodiscard]] inline std::uint8_t eight_bits(float fraction) {
-    // std::lround is a call into a library, half a million for a pot's pictures. This sum is exact.
+    // Not std::lround, which is a call into a library for every channel of a texel. The sum is exact.
     return static_cast<std::uint8_t>(static_cast<double>(255.0F * std::clamp(fraction, 0.0F, 1.0F)) + 0.5);
 }
 
