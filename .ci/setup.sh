@@ -6,7 +6,7 @@ die() { local status=$1; shift; printf '%s\n' "onggi: $*" >&2; exit "$status"; }
 
 packages_to_run=(
     g++ cmake ninja-build pkg-config ccache
-    libglfw3-dev libxcb1-dev libxcb-xinput-dev libglm-dev libvulkan-dev glslang-tools libtinygltf-dev nlohmann-json3-dev libhidapi-dev libopenal-dev
+    libglfw3-dev libxcb1-dev libxcb-shm0-dev libxcb-xinput-dev libglm-dev libvulkan-dev glslang-tools libtinygltf-dev nlohmann-json3-dev libhidapi-dev libopenal-dev
     libsndfile1-dev libwebsockets-dev libmicrohttpd-dev libseccomp-dev libidn2-dev libqrcodegencpp-dev libsystemd-dev
     libcli11-dev libfmt-dev libpng-dev libturbojpeg0-dev libwebp-dev libopenh264-dev lib3mf-dev libmeshoptimizer-dev zlib1g-dev libarchive-dev
     libpango1.0-dev libfontconfig-dev libtomlplusplus-dev fonts-nanum fonts-noto-core

@@ -17,7 +17,7 @@ namespace onggi::haptics {
 namespace {
 
 constexpr std::array<std::uint16_t, 2> kStopKeys{KEY_PAUSE, KEY_STOP};
-constexpr int kWaitMs = 20;
+constexpr int kWaitMs = 100;  // a key ends the wait; otherwise the thread can end then
 constexpr std::size_t kMostKeyboards = 16;
 
 bool has_a_stop_key(int file) {

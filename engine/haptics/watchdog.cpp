@@ -38,14 +38,14 @@ std::int64_t Watchdog::round(std::int64_t now_ns) noexcept {
     const bool was_silent = is_silent_;
     const bool rests = rests_.load(std::memory_order_relaxed);
     is_silent_ = loop_.stands_still(beats_.load(std::memory_order_relaxed), now_ns,
-                                    loop_silence_ns_ + (rests ? 2 * kRestNs : 0));
+                                    loop_silence_ns_ + (rests ? 2 * kLookAtRestNs : 0));
     if (is_silent_) {
         // Count first: a loop that wakes up in between must not assume that its old force is still applied.
         if (!was_silent)
             silences_.store(silences_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
         device_.silence();
     }
-    return rests ? kRestNs : kLookEveryNs;
+    return rests ? kLookAtRestNs : kLookEveryNs;
 }
 
 }  // namespace onggi::haptics

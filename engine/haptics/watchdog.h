@@ -5,7 +5,7 @@
 // counts as absent, and later the force returns through the ramp.
 //
 // While no device is plugged in that could push, the loop ticks in bursts (rest()), and the thread checks
-// every 4 ms.
+// every 8 ms. A device that is plugged in meets a ramp from no force, which takes longer.
 //
 // The timeout is 5 ms (SAFETY.md). The thread checks every ms, on the other cores, with real-time priority if
 // granted; without it the kernel may delay it by some ms. A USB device receives it with its next packet: HID
@@ -39,6 +39,7 @@ class Watchdog final : public jobs::IoWork {
     // motors.
     void rest(bool rests) noexcept { rests_.store(rests, std::memory_order_relaxed); }
     static constexpr std::int64_t kRestNs = 4'000'000;
+    static constexpr std::int64_t kLookAtRestNs = 2 * kRestNs;
     // Haptic thread: the number of times that the loop was found hanging and the device was silenced.
     [[nodiscard]] std::uint32_t silences() const noexcept {
         return silences_.load(std::memory_order_acquire);

@@ -63,6 +63,7 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     const double device_ms = frame.clock.read(frame.device, parts);
     if (auto fitted = impl_->backend->fit(scene, image.extent); !fitted) return fitted.error();
     frame.work = {};
+    frame.changed.clear();
     frame.stats.still_life_drawn = frame.stats.shadow_drawn = frame.stats.next_view_ready = false;
     auto drawn = impl_->backend->draw(scene, image, overlay);
     if (!drawn) return drawn.error();
@@ -71,7 +72,7 @@ Result<bool> Renderer::draw(const Scene& scene, vk::FrameTarget& target, const O
     frame.stats.device_drew_scene = std::exchange(impl_->drew_scene, *drawn);
     frame.stats.parts = std::move(parts);
     if (clock != nullptr) frame.stats.host_ms = 1e-6 * static_cast<double>(clock() - began_ns);
-    if (auto ended = target.end(frame.commands); !ended) return ended.error();
+    if (auto ended = target.end(frame.commands, frame.changed); !ended) return ended.error();
     return true;
 }
 

@@ -46,6 +46,9 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
         extensions.push_back(VK_KHR_PRESENT_WAIT_EXTENSION_NAME);
         features13.pNext = &present_wait;
     }
+    const bool imports = presenting == Presenting::kImagesInStep && chosen.description.is_cpu() &&
+                         supports(chosen.handle, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+    if (imports) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
     const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                   .pNext = &features12,
                                   .queueCreateInfoCount = 1,
@@ -57,6 +60,10 @@ Result<std::unique_ptr<Device>> Device::create(const Instance& instance, const C
     if (tells) {
         self->wait_for_present_ = reinterpret_cast<PFN_vkWaitForPresentKHR>(
             vkGetDeviceProcAddr(self->device_, "vkWaitForPresentKHR"));
+    }
+    if (imports) {
+        self->host_pointer_properties_ = reinterpret_cast<PFN_vkGetMemoryHostPointerPropertiesEXT>(
+            vkGetDeviceProcAddr(self->device_, "vkGetMemoryHostPointerPropertiesEXT"));
     }
     if (instance.names_objects()) {
         self->set_name_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(

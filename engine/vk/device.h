@@ -22,8 +22,10 @@ using SpirvReplacements = std::map<const std::uint32_t*, std::vector<std::uint32
 // The device's use of a window.
 enum class Presenting {
     kNone,
-    kImages,        // VK_KHR_swapchain
-    kImagesInStep,  // also VK_KHR_present_wait, if the driver has it, to learn when an image is on the screen
+    kImages,  // VK_KHR_swapchain
+    // Also, if the driver has them: VK_KHR_present_wait, to learn when an image is on the screen; on a
+    // software device VK_EXT_external_memory_host, to draw into a window's memory.
+    kImagesInStep,
 };
 
 class Device {
@@ -46,6 +48,11 @@ class Device {
 
     // Null if kImagesInStep was not requested, or if the driver cannot tell when an image is on the screen.
     [[nodiscard]] PFN_vkWaitForPresentKHR wait_for_present() const { return wait_for_present_; }
+
+    // Null if the device does not import memory of the host: requested for windows of a software device.
+    [[nodiscard]] PFN_vkGetMemoryHostPointerPropertiesEXT host_pointer_properties() const {
+        return host_pointer_properties_;
+    }
 
     // Sets the name that the validation layer and frame debuggers show for an object.
     void name(VkObjectType type, std::uint64_t object, std::string_view name) const;
@@ -95,6 +102,7 @@ class Device {
     SpirvReplacements replacements_;
     std::unique_ptr<Health> health_ = std::make_unique<Health>();
     PFN_vkWaitForPresentKHR wait_for_present_ = nullptr;
+    PFN_vkGetMemoryHostPointerPropertiesEXT host_pointer_properties_ = nullptr;
     PFN_vkSetDebugUtilsObjectNameEXT set_name_ = nullptr;
     PFN_vkCmdBeginDebugUtilsLabelEXT begin_label_ = nullptr;
     PFN_vkCmdEndDebugUtilsLabelEXT end_label_ = nullptr;

@@ -1,9 +1,10 @@
-// A target for finished frames: a window's swapchain or an offscreen image. Drawing code is the same with and
-// without a display. Main thread only.
+// A target for finished frames: a window's swapchain, a window's memory or an offscreen image. Drawing code
+// is the same with and without a display. Main thread only.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "engine/core/result.h"
 #include "engine/vk/vulkan.h"
@@ -31,10 +32,14 @@ class FrameTarget {
     // Waits until the device has finished the previous frame, then returns the next image. Empty if no frame
     // is wanted now (minimised, or the size has just changed): call again later.
     virtual Result<std::optional<TargetImage>> begin() = 0;
-    // Submits the recorded commands and presents the image. Precondition: begin() returned an image.
-    virtual Result<void> end(VkCommandBuffer commands) = 0;
+    // Submits the recorded commands and presents the image. `changed` are the parts that may differ from what
+    // the image held before. Precondition: begin() returned an image.
+    virtual Result<void> end(VkCommandBuffer commands, std::span<const VkRect2D> changed) = 0;
     // Blocks until the device has finished all submissions.
     virtual Result<void> wait() = 0;
+    // Sets the size of the next image, pixels: the window's, 0 x 0 while minimised. Offscreen images keep
+    // theirs.
+    virtual void resize(VkExtent2D /*extent*/) {}
 };
 
 }  // namespace onggi::vk

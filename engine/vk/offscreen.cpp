@@ -33,7 +33,7 @@ Result<std::optional<TargetImage>> Offscreen::begin() {
                                      .frames_before = frames_begun_++});
 }
 
-Result<void> Offscreen::end(VkCommandBuffer commands) {
+Result<void> Offscreen::end(VkCommandBuffer commands, std::span<const VkRect2D> /*changed*/) {
     return timeline_.submit(*device_, commands, VK_NULL_HANDLE, VK_NULL_HANDLE);
 }
 

@@ -24,7 +24,7 @@ class Offscreen final : public FrameTarget {
     [[nodiscard]] VkFormat format() const override { return kFormat; }
     [[nodiscard]] VkExtent2D extent() const override { return image_.extent(); }
     Result<std::optional<TargetImage>> begin() override;
-    Result<void> end(VkCommandBuffer commands) override;
+    Result<void> end(VkCommandBuffer commands, std::span<const VkRect2D> changed) override;
     Result<void> wait() override { return timeline_.wait(*device_); }
 
     // Waits for the last frame and returns it: rows from the top, width x height x 4 bytes (red, green, blue,

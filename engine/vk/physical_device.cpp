@@ -36,7 +36,9 @@ int rank_of(VkPhysicalDeviceType type) {
     }
 }
 
-bool has_extension(VkPhysicalDevice device, const char* name) {
+}  // namespace
+
+bool supports(VkPhysicalDevice device, const char* name) {
     std::uint32_t count = 0;
     vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
     std::vector<VkExtensionProperties> extensions(count);
@@ -45,6 +47,8 @@ bool has_extension(VkPhysicalDevice device, const char* name) {
         return std::strcmp(extension.extensionName, name) == 0;
     });
 }
+
+namespace {
 
 std::optional<std::uint32_t> find_queue_family(VkPhysicalDevice device, VkSurfaceKHR surface) {
     std::uint32_t count = 0;
@@ -79,7 +83,7 @@ std::string what_it_lacks(VkPhysicalDevice device, std::uint32_t api_version) {
 
 std::string what_it_lacks_for(VkPhysicalDevice device, VkSurfaceKHR surface) {
     if (!find_queue_family(device, surface)) return "a graphics queue that presents to the window";
-    if (!has_extension(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME)) return VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    if (!supports(device, VK_KHR_SWAPCHAIN_EXTENSION_NAME)) return VK_KHR_SWAPCHAIN_EXTENSION_NAME;
     return {};
 }
 
@@ -138,8 +142,8 @@ std::string names_of(const std::vector<DeviceDescription>& devices) {
 }  // namespace
 
 bool tells_when_shown(VkPhysicalDevice device) {
-    if (!has_extension(device, VK_KHR_PRESENT_ID_EXTENSION_NAME) ||
-        !has_extension(device, VK_KHR_PRESENT_WAIT_EXTENSION_NAME))
+    if (!supports(device, VK_KHR_PRESENT_ID_EXTENSION_NAME) ||
+        !supports(device, VK_KHR_PRESENT_WAIT_EXTENSION_NAME))
         return false;
     VkPhysicalDevicePresentIdFeaturesKHR id{.sType =
                                                 VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PRESENT_ID_FEATURES_KHR};

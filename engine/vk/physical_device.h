@@ -54,6 +54,8 @@ Result<std::size_t> choose(const std::vector<DeviceDescription>& devices, std::s
 Result<std::vector<DeviceDescription>> describe_devices(
     std::string_view request = device_request_of_environment(), const DevicePreference& preference = {});
 
+[[nodiscard]] bool supports(VkPhysicalDevice device, const char* name);
+
 struct ChosenDevice {
     VkPhysicalDevice handle = VK_NULL_HANDLE;
     DeviceDescription description;

@@ -207,7 +207,7 @@ Result<std::optional<TargetImage>> Swapchain::begin() {
                                      .frames_before = frames_[frame_].begun++});
 }
 
-Result<void> Swapchain::end(VkCommandBuffer commands) {
+Result<void> Swapchain::end(VkCommandBuffer commands, std::span<const VkRect2D> /*changed*/) {
     const VkSemaphore drawn = frames_[frame_].drawn.get();
     if (auto submitted = timeline_.submit(*device_, commands, acquired_.get(), drawn); !submitted)
         return submitted;

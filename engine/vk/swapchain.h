@@ -36,13 +36,12 @@ class Swapchain final : public FrameTarget {
     Swapchain(const Swapchain&) = delete;
     Swapchain& operator=(const Swapchain&) = delete;
 
-    // Sets the window's size in pixels: 0 x 0 while minimised.
-    void resize(VkExtent2D extent);
+    void resize(VkExtent2D extent) override;
 
     [[nodiscard]] VkFormat format() const override { return format_.format; }
     [[nodiscard]] VkExtent2D extent() const override { return extent_; }
     Result<std::optional<TargetImage>> begin() override;
-    Result<void> end(VkCommandBuffer commands) override;
+    Result<void> end(VkCommandBuffer commands, std::span<const VkRect2D> changed) override;
     Result<void> wait() override { return timeline_.wait(*device_); }
 
     // Whether the driver will report that the last image is on the screen and the wait for it is still due.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/window/pens.h"
+#include "engine/window/shared_picture.h"
 #include "engine/window/touch_screen.h"
 #include "engine/window/window.h"
 
@@ -244,6 +245,11 @@ class GlfwWindow final : public Window {
         return system_lacks(fmt::format("window: expected a Vulkan surface, found VkResult {} ({})",
                                         static_cast<int>(result),
                                         reason == nullptr ? "no reason given" : reason));
+    }
+
+    [[nodiscard]] std::unique_ptr<vk::HostSurface> host_surface() override {
+        if (!is_on_x11()) return nullptr;
+        return SharedPicture::of(static_cast<std::uint32_t>(glfwGetX11Window(window_)));
     }
 
     [[nodiscard]] std::vector<Event> poll_events() override {

@@ -9,6 +9,7 @@ class HeadlessWindow final : public Window {
 
     [[nodiscard]] std::vector<std::string> instance_extensions() const override { return {}; }
     Result<VkSurfaceKHR> create_surface(VkInstance) override { return VkSurfaceKHR{VK_NULL_HANDLE}; }
+    [[nodiscard]] std::unique_ptr<vk::HostSurface> host_surface() override { return nullptr; }
     [[nodiscard]] std::vector<Event> poll_events() override { return {}; }
     [[nodiscard]] std::vector<Gamepad> gamepads() const override { return {}; }
     [[nodiscard]] std::optional<Pen> pen() const override { return std::nullopt; }

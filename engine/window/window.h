@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/vk/host_surface.h"
 #include "engine/vk/vulkan.h"
 #include "engine/window/events.h"
 #include "engine/window/gamepad.h"
@@ -34,6 +35,10 @@ class Window {
     [[nodiscard]] virtual std::vector<std::string> instance_extensions() const = 0;
     // Returns VK_NULL_HANDLE for a headless window. The caller destroys the surface.
     virtual Result<VkSurfaceKHR> create_surface(VkInstance instance) = 0;
+
+    // The window's memory for pictures of a software device. Null if the window system cannot share memory;
+    // the pictures then go through a surface.
+    [[nodiscard]] virtual std::unique_ptr<vk::HostSurface> host_surface() = 0;
 
     // Returns the events since the last call, oldest first. Never blocks.
     [[nodiscard]] virtual std::vector<Event> poll_events() = 0;

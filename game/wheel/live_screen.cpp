@@ -137,8 +137,25 @@ bool LiveScreen::avoid_device() {
     return false;
 }
 
+// A software driver may send each picture to the X server through a socket
+// (findings/lavapipe-sends-pictures-through-the-socket.sh), so the processor's pictures are shared with it.
+// Returns false if they are not.
+Result<bool> LiveScreen::open_host_target() {
+    const bool is_told = device_->wait_for_present() != nullptr;
+    if (class_ != render::DeviceClass::kSoftware || is_told || device_->host_pointer_properties() == nullptr)
+        return false;
+    auto memory = window_->host_surface();
+    if (!memory) return false;
+    auto made = vk::HostTarget::create(*device_, std::move(memory), extent_of(window_->size()));
+    if (!made) return made.error();
+    host_ = std::move(*made);
+    return true;
+}
+
 Result<void> LiveScreen::open_target() {
     if (surface_) {
+        const auto opened = open_host_target();
+        if (!opened || *opened) return opened ? Result<void>() : opened.error();
         auto made = vk::Swapchain::create(*device_, *surface_, extent_of(window_->size()));
         if (!made) return made.error();
         swapchain_ = std::move(*made);
@@ -169,6 +186,7 @@ Result<void> LiveScreen::make_renderer() {
 Result<void> LiveScreen::make_anew() {
     renderer_.reset();
     swapchain_.reset();
+    host_.reset();
     offscreen_.reset();
     device_.reset();
     surface_.reset();
@@ -313,7 +331,7 @@ bool LiveScreen::wait_for_display() {
 }
 
 void LiveScreen::resize(window::Size size) {
-    if (swapchain_) swapchain_->resize(extent_of(size));
+    target().resize(extent_of(size));
 }
 
 Result<std::vector<std::uint8_t>> LiveScreen::read_back() {

@@ -15,6 +15,7 @@
 #include "engine/render/shader_reload.h"
 #endif
 #include "engine/render/upload_ledger.h"
+#include "engine/vk/host_target.h"
 #include "engine/vk/offscreen.h"
 #include "engine/vk/swapchain.h"
 #include "engine/window/window.h"
@@ -79,6 +80,7 @@ class LiveScreen {
     LiveScreen(window::Window& window, const LiveScreenOptions& options);
     [[nodiscard]] vk::FrameTarget& target() const {
         if (swapchain_) return *swapchain_;
+        if (host_) return *host_;
         return *offscreen_;
     }
     [[nodiscard]] vk::DevicePreference preference() const;
@@ -86,6 +88,7 @@ class LiveScreen {
     void begin_ladder();
     bool avoid_device();
     Result<void> open_target();
+    Result<bool> open_host_target();
     Result<void> make_renderer();
     Result<void> make_anew();
     Result<bool> draw_once(const render::Scene& scene, const render::Overlay* overlay);
@@ -118,7 +121,8 @@ class LiveScreen {
     std::unique_ptr<vk::Instance> instance_;
     std::unique_ptr<vk::Surface> surface_;
     std::unique_ptr<vk::Device> device_;
-    std::unique_ptr<vk::Swapchain> swapchain_;  // only one of these two exists
+    std::unique_ptr<vk::Swapchain> swapchain_;  // only one of these three exists
+    std::unique_ptr<vk::HostTarget> host_;
     std::unique_ptr<vk::Offscreen> offscreen_;
     std::unique_ptr<render::Renderer> renderer_;
 };

@@ -17,12 +17,13 @@ import watched_kiosk
 
 
 def start(program, folder, display, cache, after_s):
-    """Returns the seconds to the first picture, and the anonymous and the resident memory, MB, some seconds later."""
+    """Returns the seconds to the first picture, and its own and the resident memory, MB, some seconds later."""
     began = time.monotonic()
     with watched_kiosk.kiosk(program, folder, display, MESA_SHADER_CACHE_DIR=cache) as kiosk:
         took_s = time.monotonic() - began
         time.sleep(after_s)
-        own_mb, resident_mb = (watched_kiosk.memory_mb(kiosk.pid, "smaps_rollup", name) for name in ("Anonymous", "Rss"))
+        own_mb = watched_kiosk.memory_mb(kiosk.pid, "RssAnon", "RssShmem")
+        resident_mb = watched_kiosk.memory_mb(kiosk.pid, "VmRSS")
         return took_s, own_mb, resident_mb
 
 

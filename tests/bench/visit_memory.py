@@ -22,7 +22,7 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def most_of_visit(program, targets, size):
-    """The largest anonymous and resident memory, MB; the first is sampled ten times a second."""
+    """The largest own and resident memory, MB; the first is sampled ten times a second."""
     with tempfile.TemporaryDirectory() as folder:
         starter = pathlib.Path(folder, "onggi")
         starter.write_text(f'#!/bin/sh\n[ "$1" != kiosk ] || echo $$ >{folder}/process\nexec {program} "$@"\n')
@@ -34,8 +34,8 @@ def most_of_visit(program, targets, size):
             time.sleep(0.1)
             try:
                 process = int(pathlib.Path(folder, "process").read_text())
-                most_own_mb = max(most_own_mb, watched_kiosk.memory_mb(process, "smaps_rollup", "Anonymous"))
-                most_resident_mb = max(most_resident_mb, watched_kiosk.memory_mb(process, "status", "VmHWM"))
+                most_own_mb = max(most_own_mb, watched_kiosk.memory_mb(process, "RssAnon", "RssShmem"))
+                most_resident_mb = max(most_resident_mb, watched_kiosk.memory_mb(process, "VmHWM"))
             except (OSError, ValueError):
                 pass  # not started yet, or ended
         if visit.returncode != 0:

@@ -12,14 +12,18 @@ import tempfile
 SLOWNESS = max(1.0, float(os.environ.get("ONGGI_SLOWNESS", "1")))
 
 
-def memory_mb(process, account, name):
-    """A size of a process from /proc, MB of a million bytes: from smaps_rollup Anonymous, the memory that the program has
-    allocated itself, or Rss, with the files that it has mapped; from status VmHWM, the peak of Rss."""
-    with open(f"/proc/{process}/{account}") as lines:
+def memory_mb(process, *names):
+    """The sum of sizes of a process from /proc/PROCESS/status, MB of a million bytes: RssAnon and RssShmem, the memory that the
+    program has allocated itself or shares with the display's server; VmRSS, with the files that it has mapped; VmHWM, its peak."""
+    sizes = {}
+    with open(f"/proc/{process}/status") as lines:
         for line in lines:
-            if line.startswith(name + ":"):
-                return int(line.split()[1]) * 1024 / 1e6
-    raise ValueError(f"/proc/{process}/{account}: expected {name}, found none")
+            name, _, value = line.partition(":")
+            if name in names:
+                sizes[name] = int(value.split()[0]) * 1024 / 1e6
+    if len(sizes) != len(names):
+        raise ValueError(f"/proc/{process}/status: expected {', '.join(names)}, found {', '.join(sizes) or 'none'}")
+    return sum(sizes.values())
 
 
 @contextlib.contextmanager

@@ -1,11 +1,11 @@
 # Checks whether a program's memory grows with each repetition of the same actions. Sourced, never run; the
 # caller sets `kiosk` to the process, writes its output to kiosk.log, and has fail() of waiting.sh.
 
-# The program's anonymous memory, kB, without file pages, so that fonts and drivers do not count. The minimum
+# The memory that the program has allocated or shares, kB, without file pages, so that fonts and drivers do not count. The minimum
 # over a second, because a thread may hold memory temporarily.
 own_memory_kb() {
     for _ in 1 2 3 4 5; do
-        awk '$1 == "Anonymous:" { print $2 }' "/proc/$kiosk/smaps_rollup"
+        awk '$1 == "RssAnon:" || $1 == "RssShmem:" { sum += $2 } END { print sum }' "/proc/$kiosk/status"
         sleep 0.2
     done | sort -n | head -1
 }

@@ -125,8 +125,12 @@ void HostFrame::copy(const FrameContext& frame, const vk::Buffer& from, std::spa
     rows_in_buffer(rects_, frame.extent.width, regions_);
     vkCmdCopyBufferToImage(frame.commands, from.handle(), into.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                            static_cast<std::uint32_t>(regions_.size()), regions_.data());
-    for (const PixelRect& rect : rects_)
-        frame.work.uploaded_bytes += std::size_t{4} * static_cast<std::size_t>(rect.width * rect.height);
+    for (const PixelRect& rect : rects_) {
+        const VkExtent2D size{static_cast<std::uint32_t>(rect.width),
+                              static_cast<std::uint32_t>(rect.height)};
+        frame.work.uploaded_bytes += std::size_t{4} * size.width * size.height;
+        frame.changed.push_back({{rect.x, rect.y}, size});
+    }
 }
 
 // Composes the overlay over `under` on these tiles, into laid_.

@@ -40,6 +40,8 @@ struct FrameContext {
     vk::Buffer uniforms{};
     mutable FrameWork work{};  // mutable, so that passes with a const frame can count their draws
 
+    mutable std::vector<VkRect2D> changed{};  // the parts of the target that this frame draws or copies
+
     // Creates everything except the shadow map's pipeline, with the first `bindings` bindings of
     // shaders/frame_data.h: a software device reads bound slots even if no shader uses them. Errors: the
     // device's, or a missing format.

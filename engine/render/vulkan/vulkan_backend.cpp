@@ -522,6 +522,7 @@ Result<bool> VulkanBackend::draw(const Scene& scene, const vk::TargetImage& targ
     if (shows_scene) record(scene, target);
     frame_.enter("overlay");
     overlay_.record(frame_, target, shows_scene);
+    frame_.changed.push_back({.extent = target.extent});
     if (auto ended = frame_.end(target); !ended) return ended.error();
     frame_.stats.next_view_ready =
         shows_scene && fade_.keeps() != nullptr && room_.has(scene.next_view->background.get());

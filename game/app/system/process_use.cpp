@@ -48,7 +48,10 @@ std::optional<double> resident_mb() {
 }
 
 std::optional<double> own_mb() {
-    return status_mb("RssAnon:");
+    const auto heap = status_mb("RssAnon:");
+    const auto shared = status_mb("RssShmem:");  // the window's picture
+    if (!heap || !shared) return std::nullopt;
+    return *heap + *shared;
 }
 
 }  // namespace onggi::app

@@ -12,7 +12,8 @@ namespace onggi::app {
 // Its resident memory in MB of a million bytes; memory shared with other processes counts in full. Empty if
 // /proc does not provide it.
 [[nodiscard]] std::optional<double> resident_mb();
-// The resident memory that the program has allocated, without pages of files such as fonts and drivers.
+// The resident memory that the program has allocated, also that which it shares with the display's
+// server, without pages of files such as fonts and drivers.
 [[nodiscard]] std::optional<double> own_mb();
 
 }  // namespace onggi::app

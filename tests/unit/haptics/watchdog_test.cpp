@@ -77,8 +77,8 @@ TEST_F(WatchdogTest, LooksLessOftenAtALoopThatRestsAndAtOnceAgainAtOneThatDoesNo
     std::int64_t now_ns = 0;
     for (int k = 0; k < 1000; ++k) {
         if (k % 2 == 0) watchdog.beat();  // late by one look
-        EXPECT_EQ(watchdog.round(now_ns), Watchdog::kRestNs);
-        now_ns += Watchdog::kRestNs;
+        EXPECT_EQ(watchdog.round(now_ns), Watchdog::kLookAtRestNs);
+        now_ns += Watchdog::kLookAtRestNs;
     }
     EXPECT_EQ(device.times, 0);
     watchdog.rest(false);

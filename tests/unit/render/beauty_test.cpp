@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "engine/math/eight_bits.h"
 
 namespace onggi::render {
 namespace {
@@ -24,6 +27,16 @@ TEST(Accumulation, MixesLightAndNotNumbers) {
     mean.add(std::vector<std::uint8_t>{0, 0, 0, 255});
     mean.add(std::vector<std::uint8_t>{255, 255, 255, 255});
     EXPECT_EQ(mean.mean().rgba, (std::vector<std::uint8_t>{188, 188, 188, 255}));
+}
+
+TEST(EightBits, RoundsAsTheLibraryDoes) {
+    for (int step = -20; step <= 255 * 64 + 20; ++step) {
+        const float exact = static_cast<float>(step) / (255.0F * 64.0F);
+        for (const float fraction : {std::nextafter(exact, -1.0F), exact, std::nextafter(exact, 2.0F)}) {
+            const auto rounded = std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F));
+            ASSERT_EQ(eight_bits(fraction), static_cast<std::uint8_t>(rounded)) << fraction;
+        }
+    }
 }
 
 TEST(BeautySample, FillsThePixelAndTheLightEvenly) {

@@ -34,7 +34,7 @@ TEST_F(OnADevice, GivesBackTheColourThatWasClearedFrameAfterFrame) {
                              &whole);
         barrier(*commands, image.image, VK_IMAGE_ASPECT_COLOR_BIT, kCleared, state::kCopySource);
         ASSERT_EQ(vkEndCommandBuffer(*commands), VK_SUCCESS);
-        ASSERT_TRUE((*target)->end(*commands));
+        ASSERT_TRUE((*target)->end(*commands, {}));
         const auto pixels = (*target)->read_back();
         ASSERT_TRUE(pixels);
         ASSERT_EQ(pixels->size(), 20U * 10U * 4U);
