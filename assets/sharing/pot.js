@@ -1,4 +1,4 @@
-// The pot of the page, turning: its outline, bent by the rows of a pot that is not round, one picture wrapped round it,
+// The pot of the page, turning: its outline, bent by axis and dents of a pot that is not round, one picture wrapped round it,
 // WebGL 2.
 // The page is whole without: it shows the poster, and goes on doing so where the phone saves data or cannot draw.
 'use strict';
@@ -89,38 +89,44 @@ function ringsOf(outside, inside) {
   return rings;
 }
 
-/** Of a pot that is not round: rows from foot to rim, each its centre and its dents, in mm. A round one has none. */
+/** Rows of lengths from foot to rim, in mm: each its height, and then its centre or its dents. */
 const rowsOf = (text) => (text ? text.split(' ').map((row) => row.split(',').map((number) => number / 20)) : []);
 
-/** The line with points between its own, so that it has one in each row of a pot that is not round. */
-function inRows(line, rows) {
-  if (rows.length === 0) return line;
-  const step = Math.max(...line.map((point) => point[1])) / (rows.length - 1);
+/** The line with points between its own, so that it has one at each of those heights, which rise. */
+function atHeights(line, heights) {
   return line.flatMap((to, i) => {
     const from = line[Math.max(0, i - 1)];
-    const pieces = Math.max(1, Math.ceil(Math.abs(to[1] - from[1]) / step));
-    return Array.from({ length: pieces }, (_, k) => to.map((x, axis) => from[axis] + ((x - from[axis]) * (k + 1)) / pieces));
+    const between = heights.filter((height) => (height - from[1]) * (height - to[1]) < 0);
+    if (to[1] < from[1]) between.reverse();
+    const part = (height) => (height - from[1]) / (to[1] - from[1]);
+    return [...between.map((height) => [from[0] + (to[0] - from[0]) * part(height), height]), to];
   });
 }
 
-/** Gives the place of a ring's corner: [across, height, to the eye]. */
-function placeOf(rows, top) {
-  return ([radius, height], k) => {
-    const angle = (k / SEGMENTS) * 2 * Math.PI;
-    const way = [Math.cos(angle), -Math.sin(angle)];
-    if (rows.length === 0) return [radius * way[0], height, radius * way[1]];
-    const row = Math.min(1, Math.max(0, height / top)) * (rows.length - 1);
-    const low = Math.floor(row);
-    const at = (i) => {
-      const [one, other] = [rows[low][i], rows[Math.min(low + 1, rows.length - 1)][i]];
-      return one + (other - one) * (row - low);
+/** Gives the lengths of the rows at a height. */
+function between(rows) {
+  return (height) => {
+    const reached = rows.findIndex((row) => row[0] >= height);
+    const high = reached < 0 ? rows.length - 1 : reached;
+    const [one, other] = [rows[Math.max(0, high - 1)], rows[high]];
+    const part = Math.min(1, Math.max(0, (height - one[0]) / (other[0] - one[0] || 1)));
+    return one.slice(1).map((length, i) => length + (other[i + 1] - length) * part);
+  };
+}
+
+/** Gives the place of a ring's corner: [across, height, to the eye]. A round pot has no axis, and may have no dents. */
+function placeOf(axis, dents) {
+  const [centreAt, dentsAt] = [axis, dents].map((rows) => (rows.length > 0 ? between(rows) : () => [0, 0]));
+  return (radius, height) => {
+    const [[across, near], row] = [centreAt(height), dentsAt(height)];
+    return (k) => {
+      const angle = (k / SEGMENTS) * 2 * Math.PI;
+      const sector = ((k % SEGMENTS) / SEGMENTS) * row.length;
+      const first = Math.floor(sector);
+      const [one, other] = [row[first], row[(first + 1) % row.length]];
+      const bent = Math.max(Math.min(radius, 0.5), radius + one + (other - one) * (sector - first));
+      return [across + bent * Math.cos(angle), height, near - bent * Math.sin(angle)];
     };
-    const dents = rows[0].length - 2;
-    const sector = dents > 0 ? ((k % SEGMENTS) / SEGMENTS) * dents : 0;
-    const first = Math.floor(sector);
-    const dent = (i) => (dents > 0 ? at(2 + (i % dents)) : 0);
-    const bent = Math.max(Math.min(radius, 0.5), radius + dent(first) + (dent(first + 1) - dent(first)) * (sector - first));
-    return [at(0) + bent * way[0], height, at(1) + bent * way[1]];
   };
 }
 
@@ -128,7 +134,10 @@ function placeOf(rows, top) {
 function meshOf(rings, place) {
   const corners = [];
   const triangles = [];
-  const places = rings.map((ring) => Array.from({ length: SEGMENTS }, (_, k) => place(ring, k)));
+  const places = rings.map(([radius, height]) => {
+    const corner = place(radius, height);
+    return Array.from({ length: SEGMENTS }, (_, k) => corner(k));
+  });
   const way = (from, to) => to.map((x, axis) => x - from[axis]);
   rings.forEach(([, , down, within], i) => {
     const [before, here, after] = [Math.max(0, i - 1), i, Math.min(rings.length - 1, i + 1)].map((ring) => places[ring]);
@@ -190,10 +199,13 @@ function painterOf(canvas, stage, picture) {
   const gl = canvas.getContext('webgl2', { alpha: true, antialias: true });
   const program = gl && programOf(gl);
   if (!program) return null;
-  const rows = rowsOf(stage.dataset.rows);
-  const [outside, inside] = [stage.dataset.outside, stage.dataset.inside].map((line) => inRows(points(line), rows));
-  const top = outside[outside.length - 1];
-  const mesh = meshOf(ringsOf(outside, inside), placeOf(rows, top[1]));
+  const lines = [stage.dataset.outside, stage.dataset.inside].map(points);
+  const top = lines[0][lines[0].length - 1];
+  const axis = rowsOf(stage.dataset.axis);
+  const dents = rowsOf(stage.dataset.dents).map((row, i, rows) => [(top[1] * i) / (rows.length - 1), ...row]);
+  const heights = [...axis, ...dents].map((row) => row[0]).sort((one, other) => one - other);
+  const [outside, inside] = lines.map((line) => atHeights(line, heights));
+  const mesh = meshOf(ringsOf(outside, inside), placeOf(axis, dents));
   const radius = Number(stage.dataset.reach) || Math.max(...outside.map((point) => point[0]));
   gl.useProgram(program);
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());

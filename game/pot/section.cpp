@@ -11,7 +11,9 @@ namespace onggi::pot {
 
 namespace {
 
-constexpr int kRows = 64;
+constexpr int kDentRows = 64;
+// An axis may jump by millimetres from one ring to the next.
+constexpr int kCentreRows = 256;
 constexpr float kSeenMm = 0.25F;
 constexpr double kPerMm = 100.0;  // the steps that files keep
 
@@ -47,22 +49,43 @@ float OffRound::dent_at(float part, float turns) const {
     return glm::mix(in_row(rows.low), in_row(rows.high), rows.up);
 }
 
+namespace {
+
+// Between the middles of rings, as in the solid.
+dvec2 centre_at(const clay::studio::Rings& rings, double height_mm) {
+    const auto centre_of = [&](int ring) {
+        const std::size_t at = clay::studio::Rings::at(ring);
+        return dvec2(double{rings.centre_x_mm[at]}, double{rings.centre_z_mm[at]});
+    };
+    int low = rings.ring_at(height_mm);
+    if (low > 0 && rings.centre_mm(low) > height_mm) --low;
+    const int high = std::min(low + 1, rings.count - 1);
+    const double from_mm = rings.centre_mm(low);
+    const double between_mm = std::max(rings.centre_mm(high) - from_mm, 1e-6);
+    return glm::mix(centre_of(low), centre_of(high),
+                    std::clamp((height_mm - from_mm) / between_mm, 0.0, 1.0));
+}
+
+}  // namespace
+
 std::shared_ptr<const OffRound> off_round_of(const clay::studio::Rings& rings, double scale) {
     const auto in_steps = [&](double mm) {
         return static_cast<float>(std::round(mm * scale * kPerMm) / kPerMm);
     };
     OffRound map;
+    if (rings.count == 0) return nullptr;
     float most_mm = 0.0F;
-    float most_dent_mm = 0.0F;
-    for (int row = 0; row < kRows && rings.count > 0; ++row) {
-        const int ring =
-            rings.ring_at(std::min(rings.top_mm() * row / (kRows - 1), rings.centre_mm(rings.count - 1)));
-        const std::size_t at = clay::studio::Rings::at(ring);
-        map.centre_mm.emplace_back(in_steps(double{rings.centre_x_mm[at]}),
-                                   in_steps(double{rings.centre_z_mm[at]}));
+    for (int row = 0; row < kCentreRows; ++row) {
+        const dvec2 centre = centre_at(rings, rings.top_mm() * row / (kCentreRows - 1));
+        map.centre_mm.emplace_back(in_steps(centre.x), in_steps(centre.y));
         most_mm = std::max(most_mm, glm::length(map.centre_mm.back()));
+    }
+    float most_dent_mm = 0.0F;
+    for (int row = 0; row < kDentRows; ++row) {
+        const int ring =
+            rings.ring_at(std::min(rings.top_mm() * row / (kDentRows - 1), rings.centre_mm(rings.count - 1)));
         std::vector<double> dents(OffRound::kCorners, 0.0);
-        if (rings.rough_mm[at] > 0.0F)
+        if (rings.rough_mm[clay::studio::Rings::at(ring)] > 0.0F)
             dents = dents_at_corners({rings.row_of(ring), clay::studio::Rings::at(rings.sectors)},
                                      OffRound::kCorners);
         for (const double dent_mm : dents) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 #include "engine/core/quote.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMostPoints = 160;
 constexpr double kMostMm = 2000.0;
+constexpr double kOffMm = 0.05;  // of a line with fewer points
 
 bool is_drawn(const OutlinePoint& point) {
     // NaN fails these comparisons.
@@ -29,8 +31,17 @@ double distance_mm(const OutlinePoint& from, const OutlinePoint& to, const Outli
     return length > 0.0 ? std::abs(across * above - up * right) / length : std::hypot(right, above);
 }
 
+// At the point's height.
+double distance_mm(const AxisPoint& from, const AxisPoint& to, const AxisPoint& point) {
+    const double high_mm = to.height_mm - from.height_mm;
+    const double up = high_mm > 0.0 ? (point.height_mm - from.height_mm) / high_mm : 0.0;
+    return std::hypot(point.x_mm - std::lerp(from.x_mm, to.x_mm, up),
+                      point.z_mm - std::lerp(from.z_mm, to.z_mm, up));
+}
+
 // The points without which the line is off by more than that (Ramer 1972, Douglas and Peucker 1973).
-std::vector<OutlinePoint> within(std::span<const OutlinePoint> line, double off_mm) {
+template <typename Point>
+std::vector<Point> within(std::span<const Point> line, double off_mm) {
     std::vector<bool> is_kept(line.size(), false);
     is_kept.front() = is_kept.back() = true;
     std::vector<std::pair<std::size_t, std::size_t>> spans{{0, line.size() - 1}};
@@ -47,7 +58,7 @@ std::vector<OutlinePoint> within(std::span<const OutlinePoint> line, double off_
         is_kept[farthest] = true;
         spans.insert(spans.end(), {{first, farthest}, {farthest, last}});
     }
-    std::vector<OutlinePoint> points;
+    std::vector<Point> points;
     for (std::size_t i = 0; i < line.size(); ++i)
         if (is_kept[i]) points.push_back(line[i]);
     return points;
@@ -57,7 +68,6 @@ std::vector<OutlinePoint> thinned(std::span<const OutlinePoint> outline) {
     const auto end = std::find_if_not(outline.begin(), outline.end(), is_drawn);
     const auto line = outline.first(static_cast<std::size_t>(end - outline.begin()));
     if (line.empty()) return {};
-    constexpr double kOffMm = 0.05;
     std::vector<OutlinePoint> points = within(line, kOffMm);
     for (double off_mm = 2.0 * kOffMm; points.size() > kMostPoints; off_mm *= 2.0)
         points = within(line, off_mm);
@@ -165,9 +175,9 @@ class Page {
                 colour[1], colour[2], pot_.gloss, said(), word("phone.turn"), word("phone.stop"),
                 word("phone.go"));
         }
-        if (!pot_.off_round.empty() && !shape.empty()) {
-            shape += fmt::format(" data-reach=\"{:.2f}\" data-rows=\"{}\"", pot_.reach_mm,
-                                 off_round_numbers(pot_.off_round));
+        if (!pot_.axis.empty() && !shape.empty()) {
+            shape += fmt::format(" data-reach=\"{:.2f}\" data-axis=\"{}\" data-dents=\"{}\"", pot_.reach_mm,
+                                 axis_numbers(pot_.axis), dent_numbers(pot_.dents_mm));
         }
         const std::string poster =
             links.poster.empty() ? ""
@@ -395,16 +405,33 @@ std::string outline_numbers(std::span<const OutlinePoint> outline) {
     return text;
 }
 
-std::string off_round_numbers(std::span<const OffRoundRow> rows) {
-    const auto twentieths = [](double mm) {
-        return static_cast<int>(std::lround(std::clamp(mm, -kMostMm, kMostMm) * 20.0));
-    };
+namespace {
+
+void append_twentieths(std::string& text, std::initializer_list<double> lengths_mm) {
+    for (const double mm : lengths_mm) {
+        if (!text.empty() && text.back() != ' ') text += ',';
+        text += fmt::format("{}", std::lround(std::clamp(mm, -kMostMm, kMostMm) * 20.0));
+    }
+}
+
+}  // namespace
+
+std::string axis_numbers(std::span<const AxisPoint> axis) {
+    if (axis.empty()) return {};
     std::string text;
-    for (const OffRoundRow& row : rows) {
+    for (const AxisPoint& point : within(axis, kOffMm)) {
         if (!text.empty()) text += ' ';
-        text += fmt::format("{},{}", twentieths(row.x_mm), twentieths(row.z_mm));
-        for (const double dent_mm : row.dents_mm)
-            text += fmt::format(",{}", twentieths(dent_mm));
+        append_twentieths(text, {point.height_mm, point.x_mm, point.z_mm});
+    }
+    return text;
+}
+
+std::string dent_numbers(std::span<const std::vector<double>> rows_mm) {
+    std::string text;
+    for (const std::vector<double>& row : rows_mm) {
+        if (!text.empty()) text += ' ';
+        for (const double dent_mm : row)
+            append_twentieths(text, {dent_mm});
     }
     return text;
 }

@@ -28,8 +28,12 @@ namespace onggi::sharing {
 // Stops at the first value that is not finite or exceeds two metres.
 [[nodiscard]] std::string outline_numbers(std::span<const OutlinePoint> outline);
 
-// "12,-3,0,0,5 ...": a row's centre and its dents in whole twentieths of a millimetre.
-[[nodiscard]] std::string off_round_numbers(std::span<const OffRoundRow> rows);
+// "0,12,-3 840,60,-3 ...": height and centre in whole twentieths of a millimetre; the points that an axis
+// within a twentieth of a millimetre needs.
+[[nodiscard]] std::string axis_numbers(std::span<const AxisPoint> axis);
+
+// "0,0,5 0,-2,5 ...": rows of dents in whole twentieths of a millimetre.
+[[nodiscard]] std::string dent_numbers(std::span<const std::vector<double>> rows_mm);
 
 // Two pots on one board, as SVG without text: ours, then the museum's. At one scale, unless the museum's
 // would then be the larger picture.

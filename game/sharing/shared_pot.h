@@ -29,12 +29,11 @@ struct PotWords {
     std::string nearest_line{};  // "Joseon, 18th c.\nNational Museum of Korea"
 };
 
-// A row of a pot that is not round, in the page's frame: x to the right, z to the eye, directions
-// counter-clockwise from the right as seen from above.
-struct OffRoundRow {
-    double x_mm = 0.0;  // of the centre
+// The centre of a pot that is not round at a height, in the page's frame: x to the right, z to the eye.
+struct AxisPoint {
+    double height_mm = 0.0;
+    double x_mm = 0.0;
     double z_mm = 0.0;
-    std::vector<double> dents_mm{};  // evenly spaced, added to both walls' radii; empty, as in all rows: none
 };
 
 struct SharedPot {
@@ -57,8 +56,11 @@ struct SharedPot {
     // empty. Without an outside the page shows only the poster.
     std::vector<OutlinePoint> outside{};
     std::vector<OutlinePoint> inside{};
-    std::vector<OffRoundRow> off_round{};  // evenly spaced from foot to rim; empty: round
-    double reach_mm = 0.0;                 // of a pot that is not round: largest distance from the axis
+    std::vector<AxisPoint> axis{};  // from foot to rim; empty: round
+    // Rows evenly spaced from foot to rim, added to both walls' radii: directions evenly spaced,
+    // counter-clockwise from the right as seen from above. Empty: each row is round about its centre.
+    std::vector<std::vector<double>> dents_mm{};
+    double reach_mm = 0.0;  // of a pot that is not round: largest distance from the wheel's axis
     // Texture wrapped round the outside: columns go round, rows go from the rim down to the foot in equal
     // steps along the outline. Without it the page uses the colour.
     FileContent surface{};

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/files/archive.h"
@@ -18,6 +19,8 @@
 #include "game/app/kiosk/health/kiosk_statistics.h"
 #include "game/app/kiosk/health/kiosk_status.h"
 #include "game/app/kiosk/kiosk_settings.h"
+#include "game/app/replay/replay.h"
+#include "game/app/replay/stored_session.h"
 #include "game/app/system/start_log.h"
 #include "game/kiosk/config.h"
 #include "game/record/session.h"
@@ -115,6 +118,43 @@ TEST(Galleries, OfBothVersionsAreOpenedTogether) {
     EXPECT_EQ(pots[2].name, "2026-11-21/pot-001");
     ASSERT_TRUE(gallery.remove(pots[0]));
     EXPECT_EQ(gallery.pots().size(), 2U);
+}
+
+// By the program of 24 November 2026, in a window, at 4 kHz, without the pot's model and picture.
+TEST(Galleries, OfTheFirstVersionAreReplayedCountedAndMoved) {
+    const test::TemporaryFolder folder;
+    auto archive = files::ArchiveReader::open(sample("gallery/1.zip"));
+    ASSERT_TRUE(archive) << archive.error().message;
+    constexpr std::size_t kMostBytes = 2'000'000;
+    for (auto name = archive->next(); name && *name; name = archive->next()) {
+        const auto content = archive->read(kMostBytes);
+        ASSERT_TRUE(content) << content.error().message;
+        const fs::path file = folder / "old" / **name;
+        fs::create_directories(file.parent_path());
+        test::put_file(file, *content);
+    }
+    const auto pots = app::kept_pots(folder / "old");
+    ASSERT_EQ(pots.size(), 1U);
+    auto loaded = app::load_session((pots[0].folder / "pot.onggi").string());
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    EXPECT_EQ(loaded->session.tick_count(), 343'128U);
+    EXPECT_FALSE(app::find_difference(loaded->session, std::move(loaded->start), loaded->decoration));
+    EXPECT_EQ(app::use_of(folder / "old/statistics", "2026-11-29").starts, 1);
+    kiosk::Config config;
+    config.gallery.least_free_mb = 1.0;
+    config.gallery.folder = (folder / "old").string();
+    config.staff.statistics_folder = (folder / "old/statistics").string();
+    const auto nothing = [](auto, auto) {};
+    ASSERT_TRUE(app::export_gallery(config, folder / "house.zip", nothing));
+    auto house = files::ArchiveReader::open(folder / "house.zip");
+    ASSERT_TRUE(house) << house.error().message;
+    config.gallery.folder = (folder / "new").string();
+    config.staff.statistics_folder = (folder / "new/statistics").string();
+    const auto moved = app::import_gallery(std::move(*house), config, 1'795'608'000, nothing);
+    ASSERT_TRUE(moved) << moved.error().message;
+    EXPECT_EQ(test::content_of(folder / "new" / pots[0].name / "pot.onggi"),
+              test::content_of(pots[0].folder / "pot.onggi"));
+    EXPECT_EQ(app::use_of(folder / "new/statistics", "2026-11-29").starts, 1);
 }
 
 TEST(Jars, OfVersion1AreGoneOnWith) {

@@ -62,7 +62,7 @@ StudioClay dented() {
 // A lump that was opened and raised beside the axis without being centred.
 StudioClay lopsided() {
     Bench bench({.mass_g = 500.0}, kRateHz);
-    bench.clay.set_centre({3.0, 1.0});
+    bench.clay.set_centre({6.0, 2.0});
     constexpr std::ptrdiff_t kCentring = 3;  // strokes
     std::vector<clay::studio::Stroke> strokes = clay::studio::cylinder();
     strokes.erase(strokes.begin(), strokes.begin() + kCentring);
@@ -96,7 +96,7 @@ std::vector<StudioSample> all_studio_samples() {
                     .stage = Firing::kBisque,
                     .off_axis_mm = off_mm});
     pots.push_back({.name = "studio_dented", .clay = dented(), .off_axis_mm = 8.0, .calm = false});
-    pots.push_back({.name = "studio_lopsided", .clay = lopsided(), .off_axis_mm = 4.0, .calm = false});
+    pots.push_back({.name = "studio_lopsided", .clay = lopsided(), .off_axis_mm = 8.0, .calm = false});
     pots.push_back({.name = "studio_spun_apart", .clay = spun_apart(), .off_axis_mm = 4.0, .calm = false});
     pots.push_back({.name = "studio_tube", .clay = wall(45.0, 5.0, 0.0, 80.0, 400), .euler = 0});
     pots.push_back({.name = "studio_upside_down",

@@ -194,10 +194,10 @@ function mostApart(one, other) {
     return px;
 }
 
-/** Silhouettes of a dented and of a round pot on the page, which must be those of their posters. */
+/** Silhouettes of a dented, a lopsided and a round pot on the page, which must be those of their posters. */
 async function posterAndPage(browser, own, put) {
     const found = [];
-    for (const sample of ['studio_dented', 'studio_cylinder']) {
+    for (const sample of ['studio_dented', 'studio_lopsided', 'studio_cylinder']) {
         const code = await makeOutbox(makeProgram, sample, put, ['--glaze', 'porcelain']);
         const look = { viewport: { width: 500, height: 900 }, deviceScaleFactor: 480 / 359, reducedMotion: 'reduce', bypassCSP: true };
         const silhouettes = [];
@@ -225,9 +225,11 @@ CHECKS['a pot that is not round'] = async ({ browser }) => {
     } finally {
         await own.stop();
     }
-    const [dented, round] = found;
-    expect(mostApart(dented, round) > 1, 'expected a dented pot to be another than a round one');
-    return 'page and poster within a pixel, dented and round';
+    const [dented, lopsided, round] = found;
+    for (const [name, bent] of Object.entries({ dented, lopsided })) {
+        expect(mostApart(bent, round) > 1, `expected a ${name} pot to be another than a round one`);
+    }
+    return 'page and poster within a pixel, dented, lopsided and round';
 };
 
 /** A page with a film of two seconds, in a folder of its own. */

@@ -23,7 +23,7 @@ namespace {
 // another quality would cost more.
 constexpr std::array kQualities{90.0, 75.0, 50.0, 25.0};
 // Likewise; the first keeps an SSIM of 0.99 against what was drawn.
-constexpr std::array kMp4Quantisers{22, 25};
+constexpr std::array kMp4Quantisers{26, 28};
 constexpr double kMp4BytesPerS = 50'000.0;
 constexpr std::uint64_t kTicksASlice = 2000;
 constexpr double kStillAt =

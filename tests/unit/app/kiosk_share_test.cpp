@@ -231,23 +231,25 @@ TEST(KioskShare, DrawsAPosterOfAPotThatIsNotRoundAsItsSolidIs) {
     EXPECT_GE(off_round, 2);
 }
 
-TEST(KioskShare, HandsThePageTheRowsOfAPotThatIsNotRound) {
+TEST(KioskShare, HandsThePageAxisAndDentsOfAPotThatIsNotRound) {
     const auto settings = load_settings("");
     ASSERT_TRUE(settings);
     screens::FiredPot fired = jar(*settings);
-    EXPECT_TRUE(shared_pot(fired, 0, *settings, 0).off_round.empty());
+    EXPECT_TRUE(shared_pot(fired, 0, *settings, 0).axis.empty());
     pot::OffRound map{.centre_mm = {{0.0F, 0.0F}, {3.0F, -1.0F}},
                       .dents_mm = std::vector<float>(2 * pot::OffRound::kCorners, 0.0F)};
     map.dents_mm[pot::OffRound::kCorners] = -4.0F;  // at the rim, in the clay's direction 0
     fired.shape.off_round = std::make_shared<const pot::OffRound>(map);
     const sharing::SharedPot pot = shared_pot(fired, 0, *settings, 0);
-    ASSERT_EQ(pot.off_round.size(), 2U);
+    ASSERT_EQ(pot.axis.size(), 2U);
+    ASSERT_EQ(pot.dents_mm.size(), 2U);
     // Without a decoration the clay's direction 0 is to the right.
-    EXPECT_NEAR(pot.off_round[1].x_mm, 3.0, 1e-4);
-    EXPECT_NEAR(pot.off_round[1].z_mm, 1.0, 1e-4);
-    EXPECT_NEAR(pot.off_round[1].dents_mm[0], -4.0, 1e-4);
-    EXPECT_NEAR(pot.off_round[1].dents_mm[64], 0.0, 1e-4);
-    EXPECT_NEAR(pot.off_round[0].dents_mm[0], 0.0, 1e-4);
+    EXPECT_NEAR(pot.axis[1].x_mm, 3.0, 1e-4);
+    EXPECT_NEAR(pot.axis[1].z_mm, 1.0, 1e-4);
+    EXPECT_NEAR(pot.axis[1].height_mm, double{fired.shape.height_mm()}, 1e-4);
+    EXPECT_NEAR(pot.dents_mm[1][0], -4.0, 1e-4);
+    EXPECT_NEAR(pot.dents_mm[1][64], 0.0, 1e-4);
+    EXPECT_NEAR(pot.dents_mm[0][0], 0.0, 1e-4);
     EXPECT_NEAR(pot.reach_mm, double{fired.shape.radius_mm()}, 1e-6);
 }
 

@@ -9,8 +9,8 @@
 namespace onggi::asset {
 namespace {
 
-std::vector<std::byte> film(int pictures, int width = 40, int height = 30) {
-    auto made = Mp4Film::create({.width = width, .height = height, .picture_ms = 80});
+std::vector<std::byte> film(int pictures, int width = 40, int height = 30, int quantiser = 26) {
+    auto made = Mp4Film::create({.width = width, .height = height, .picture_ms = 80, .quantiser = quantiser});
     EXPECT_TRUE(made);
     for (int i = 0; i < pictures; ++i) {
         const auto added = made->add(moving_square(i, width, height));
@@ -42,6 +42,20 @@ TEST(Mp4Film, OfManyPicturesCanBeEnteredInTheMiddle) {
     const test::Mp4Frames frames = test::mp4_frames(film(130));
     EXPECT_EQ(frames.keys, (std::vector<int>{0, 128}));
     EXPECT_EQ(frames.lasts_ms, 10'400);
+}
+
+// Coarse pictures of their own would be off by 3 and more.
+TEST(Mp4Film, ShowsWhatStandsStillAsFineAsItsKeys) {
+    constexpr int kCoarse = 45;
+    auto made = Mp4Film::create({.width = 40, .height = 30, .quantiser = kCoarse});
+    ASSERT_TRUE(made);
+    const Image at_rest = moving_square(200, 40, 30);  // its square is outside
+    for (int i = 0; i < 130; ++i)
+        ASSERT_TRUE(made->add(at_rest));
+    const auto file = made->finish();
+    ASSERT_TRUE(file);
+    for (const Image& shown : test::mp4_frames(*file).images)
+        EXPECT_LT(test::mean_difference(shown, at_rest), 1.5);
 }
 
 TEST(Mp4Film, IsTheSameBytesEveryTime) {

@@ -176,14 +176,25 @@ TEST(PhonePage, KeepsALedgeOfAnOutline) {
     EXPECT_EQ(outline_numbers(ledge), "40,0 40,11.7 48,12 48,153.6");
 }
 
-TEST(PhonePage, TellsTheRowsOfAPotThatIsNotRound) {
-    EXPECT_EQ(off_round_numbers(std::vector<OffRoundRow>{{1.5, -0.2, {0.0, -2.34}}, {0.0, 0.0, {1e9, 0.0}}}),
-              "30,-4,0,-47 0,0,40000,0");
+TEST(PhonePage, TellsAxisAndDentsOfAPotThatIsNotRound) {
+    EXPECT_EQ(axis_numbers(std::vector<AxisPoint>{{0.0, 1.5, -0.2}, {10.0, 0.0, 1e9}}),
+              "0,30,-4 200,0,40000");
+    EXPECT_EQ(dent_numbers(std::vector<std::vector<double>>{{0.0, -2.34}, {1e9, 0.0}}), "0,-47 40000,0");
+    EXPECT_EQ(axis_numbers({}), "");
     SharedPot pot = support::full_pot("x");
-    EXPECT_FALSE(has(page_of(pot, 0), "data-rows"));
-    pot.off_round = {{1.0, 0.0, {}}, {2.0, 0.0, {}}};
+    EXPECT_FALSE(has(page_of(pot, 0), "data-axis"));
+    pot.axis = {{0.0, 1.0, 0.0}, {50.0, 2.0, 0.0}};
+    pot.dents_mm = {{0.5}, {-0.5}};
     pot.reach_mm = 61.25;
-    EXPECT_TRUE(has(page_of(pot, 0), "data-reach=\"61.25\" data-rows=\"20,0 40,0\""));
+    EXPECT_TRUE(
+        has(page_of(pot, 0), "data-reach=\"61.25\" data-axis=\"0,20,0 1000,40,0\" data-dents=\"10 -10\""));
+}
+
+TEST(PhonePage, KeepsAJumpOfAnAxisAndNoPointOfALine) {
+    std::vector<AxisPoint> jump;
+    for (int i = 0; i < 256; ++i)
+        jump.push_back({i * 0.5, i < 40 ? 6.0 : i * 0.01, i * 0.02});
+    EXPECT_EQ(axis_numbers(jump), "0,120,0 390,120,16 400,8,16 2550,51,102");
 }
 
 TEST(PhonePage, SaysHowViewersShowAnStl) {

@@ -33,24 +33,27 @@ std::vector<sharing::OutlinePoint> outline_of(const std::vector<vec2>& points) {
 }
 
 // The page counts directions from the right, the eye is a quarter turn before that.
-std::vector<sharing::OffRoundRow> off_round_of(const pot::Section& shape) {
-    std::vector<sharing::OffRoundRow> rows;
-    if (!shape.off_round) return rows;
+void put_off_round(sharing::SharedPot& shared, const pot::Section& shape) {
+    if (!shape.off_round) return;
     const pot::OffRound& map = *shape.off_round;
     const float right = shape.front_turns() + 0.25F;
     const vec2 way(std::cos(kTurnF * right), std::sin(kTurnF * right));
+    const auto part_of = [](std::size_t row, std::size_t rows) {
+        return static_cast<float>(row) / static_cast<float>(std::max<std::size_t>(rows - 1, 1));
+    };
     for (std::size_t i = 0; i < map.centre_mm.size(); ++i) {
-        const float part =
-            static_cast<float>(i) / static_cast<float>(std::max<std::size_t>(map.centre_mm.size() - 1, 1));
         const vec2& centre = map.centre_mm[i];
-        sharing::OffRoundRow& row = rows.emplace_back();
-        row.x_mm = double{centre.x * way.x + centre.y * way.y};
-        row.z_mm = double{centre.x * way.y - centre.y * way.x};
-        for (int k = 0; k < pot::OffRound::kCorners && !map.dents_mm.empty(); ++k)
-            row.dents_mm.push_back(
-                double{map.dent_at(part, right + static_cast<float>(k) / pot::OffRound::kCorners)});
+        shared.axis.push_back({double{part_of(i, map.centre_mm.size()) * shape.height_mm()},
+                               double{centre.x * way.x + centre.y * way.y},
+                               double{centre.x * way.y - centre.y * way.x}});
     }
-    return rows;
+    const std::size_t rows = map.dents_mm.size() / pot::OffRound::kCorners;
+    for (std::size_t i = 0; i < rows; ++i) {
+        std::vector<double>& row = shared.dents_mm.emplace_back();
+        for (int k = 0; k < pot::OffRound::kCorners; ++k)
+            row.push_back(double{
+                map.dent_at(part_of(i, rows), right + static_cast<float>(k) / pot::OffRound::kCorners)});
+    }
 }
 
 sharing::PotWords words_of(const kiosk::Language& language, const finish::GlazeMaterial& glaze,
@@ -167,7 +170,7 @@ sharing::SharedPot shared_pot(const screens::FiredPot& pot, int glaze, const Kio
     sharing::SharedPot shared;
     shared.outside = outline_of(pot.shape.outside);
     shared.inside = outline_of(pot.shape.inside);
-    shared.off_round = off_round_of(pot.shape);
+    put_off_round(shared, pot.shape);
     shared.reach_mm = double{pot.shape.radius_mm()};
     shared.colour_linear = {double{material.colour.x}, double{material.colour.y}, double{material.colour.z}};
     shared.gloss = double{material.clear_coat} * (1.0 - double{material.coat_roughness});
