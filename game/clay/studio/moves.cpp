@@ -188,7 +188,7 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
             if (rings.is_hollow(i)) rings.first_hollow = i;
         }
     }
-    return contact.range;
+    return {first + pushed.first, first + pushed.end};
 }
 
 namespace {

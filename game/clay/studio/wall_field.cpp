@@ -123,6 +123,34 @@ ONGGI_WIDE_VECTORS void move_each(Rings& rings, Contact& contact, const Rings::R
                     range.size(), gate);
 }
 
+// The part of a push that moves the wall as a whole, over a contact's rings.
+struct PushedWall {
+    double largest;
+    double weight;  // sum of (x phi)^2 h
+    double moment;  // of it about the hand's height
+};
+
+// Branch-free: a ring that is not pushed adds 0.
+[[gnu::always_inline]] inline PushedWall pushed_each(const double* __restrict__ field,
+                                                     const double* __restrict__ height,
+                                                     const double* __restrict__ offset, int n) {
+    PushedWall sums{};
+    for (int k = 0; k < n; ++k) {
+        const double moved = field[k] > 0.0 ? field[k] : 0.0;
+        const double weight = moved * moved * height[k];
+        sums.weight += weight;
+        sums.moment += weight * offset[k];
+        sums.largest = sums.largest < moved ? moved : sums.largest;
+    }
+    return sums;
+}
+
+ONGGI_WIDE_VECTORS PushedWall pushed_in(const Rings& rings, const Contact& contact) {
+    const std::ptrdiff_t from = contact.pushed.first;
+    return pushed_each(contact.field.data() + from, rings.height_mm.data() + (contact.range.first + from),
+                       contact.offset_mm.data() + from, contact.pushed.size());
+}
+
 // dR/dy between two rings. radii: the sum of both faces' radii.
 [[gnu::always_inline]] inline double slope_between(double low_radii, double high_radii, double rise) {
     const double slope = 0.5 * (high_radii - low_radii) / rise;
@@ -173,20 +201,10 @@ double wall_slope(const Rings& rings, int i) noexcept {
 
 Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fraction, double dt_s,
                   const StudioParameters& parameters) noexcept {
-    double largest = 0.0;
-    double weight_sum = 0.0;
-    double moment = 0.0;
-    for (int k = contact.pushed.first; k < contact.pushed.end; ++k) {
-        const double field = contact.field[at(k)];
-        if (!(field > 0.0)) continue;
-        largest = std::max(largest, field);
-        const double weight = field * field * rings.height_mm[at(contact.range.first + k)];
-        weight_sum += weight;
-        moment += weight * contact.offset_mm[at(k)];
-    }
-    const double u = fraction * largest;
+    const PushedWall pushed = pushed_in(rings, contact);
+    const double u = fraction * pushed.largest;
     if (!(u > 1e-9)) return {};
-    const double middle = contact.height_mm + moment / weight_sum;
+    const double middle = contact.height_mm + pushed.moment / pushed.weight;
     const int star = std::max(rings.ring_at(middle), std::min(rings.first_hollow, rings.count - 1));
     const double wall = rings.wall_mm(star);
     const double length =
