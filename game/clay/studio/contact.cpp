@@ -1,10 +1,10 @@
 #include "game/clay/studio/contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
+#include "engine/math/double4.h"
 #include "engine/math/wide_vectors.h"
 
 namespace onggi::clay::studio {
@@ -16,41 +16,42 @@ double dot(const dvec2& a, const dvec2& b) {
 
 // The largest of n values and `least`. In lanes, because each comparison waits for the one before.
 [[gnu::always_inline]] inline double largest_each(const double* values, int n, double least) {
-    constexpr int kLanes = 16;
-    std::array<double, kLanes> lanes{};
-    lanes.fill(least);
+    constexpr int kLanes = 8;
+    Double4 low = Double4{} + least;
+    Double4 high = low;
     int k = 0;
     for (; k + kLanes <= n; k += kLanes) {
-        for (int lane = 0; lane < kLanes; ++lane) {
-            const double value = values[k + lane];
-            lanes[at(lane)] = value > lanes[at(lane)] ? value : lanes[at(lane)];
-        }
+        const Double4 a = load4(values + k);
+        const Double4 b = load4(values + k + kLanes / 2);
+        low = a > low ? a : low;
+        high = b > high ? b : high;
     }
+    low = high > low ? high : low;
     double largest = least;
+    for (int lane = 0; lane < kLanes / 2; ++lane)
+        largest = low[lane] > largest ? low[lane] : largest;
     for (; k < n; ++k)
         largest = values[k] > largest ? values[k] : largest;
-    for (const double lane : lanes)
-        largest = lane > largest ? lane : largest;
     return largest;
 }
 
-// Whether any of n values is above 0.
-[[gnu::always_inline]] inline bool has_positive(const double* values, int n) {
-    std::int64_t any = 0;
-    for (int k = 0; k < n; ++k)
-        any |= values[k] > 0.0 ? 1 : 0;
-    return any != 0;
+constexpr int kPiece = 16;  // entries that are looked at together
+
+[[gnu::always_inline]] inline bool has_positive(const double* piece) {
+    Long4 above{};
+    for (int k = 0; k < kPiece; k += 4)
+        above |= load4(piece + k) > 0.0;
+    return any(above);
 }
 
 // The entries [first, end) that hold all values above 0. Whole pieces without any are passed over first.
 [[gnu::always_inline]] inline Rings::Range positive_part(const double* values, int n) {
-    constexpr int kPiece = 16;
     Rings::Range part{0, n};
-    while (part.end >= kPiece && !has_positive(values + (part.end - kPiece), kPiece))
+    while (part.end >= kPiece && !has_positive(values + (part.end - kPiece)))
         part.end -= kPiece;
     while (part.end > 0 && !(values[part.end - 1] > 0.0))
         --part.end;
-    while (part.first + kPiece <= part.end && !has_positive(values + part.first, kPiece))
+    while (part.first + kPiece <= part.end && !has_positive(values + part.first))
         part.first += kPiece;
     while (part.first < part.end && !(values[part.first] > 0.0))
         ++part.first;
@@ -86,9 +87,7 @@ Contact::Contact(int capacity)
       met(Rings::at(capacity), 0.0),
       held(Rings::at(capacity), 0.0),
       place_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
-      mean_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
-      outer_step_mm(Rings::at(capacity), 0.0F),
-      inner_step_mm(Rings::at(capacity), 0.0F) {}
+      mean_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F) {}
 
 double residual_at(const Rings& rings, int i, double turn) noexcept {
     const float* row = rings.row_of(i);
