@@ -105,8 +105,15 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
         normal += dvec3(e.x * direction.x, direction.y, e.y * direction.x) * size;
         lever_mm = hand.side == Side::kIn ? std::max(rings.inner_mm[at], 1.0) : rings.outer_mm[at];
         felt.forces.contacts = static_cast<int>(touched.count);
-        felt.forces.contact_low_mm = rings.bottom_mm(contact.range.first + contact.touched.first);
-        felt.forces.contact_high_mm = top_of(rings, contact.range.first + contact.touched.end - 1);
+        // The outermost rings of a grip's print may have no depth.
+        int first = contact.touched.first;
+        int last = contact.touched.end - 1;
+        while (first < last && !(contact.depth_mm[Rings::at(first)] > 0.0))
+            ++first;
+        while (first < last && !(contact.depth_mm[Rings::at(last)] > 0.0))
+            --last;
+        felt.forces.contact_low_mm = rings.bottom_mm(contact.range.first + first);
+        felt.forces.contact_high_mm = top_of(rings, contact.range.first + last);
     }
     if (contact.floor_depth_mm > 0.0) {
         normal.y += bearing * r1 * contact.floor_depth_mm;
