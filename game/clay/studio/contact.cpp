@@ -1,9 +1,10 @@
 #include "game/clay/studio/contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 
+#include "engine/math/double4.h"
 #include "engine/math/wide_vectors.h"
 
 namespace onggi::clay::studio {
@@ -14,31 +15,44 @@ double dot(const dvec2& a, const dvec2& b) {
 }
 
 // The largest of n values and `least`. In lanes, because each comparison waits for the one before.
-double largest_of(const double* values, int n, double least) {
+[[gnu::always_inline]] inline double largest_each(const double* values, int n, double least) {
     constexpr int kLanes = 8;
-    std::array<double, kLanes> lanes{};
-    lanes.fill(least);
-    const auto take = [&](int lane, double value) {
-        double& largest = lanes[at(lane)];
-        largest = value > largest ? value : largest;
-    };
+    Double4 low = Double4{} + least;
+    Double4 high = low;
     int k = 0;
     for (; k + kLanes <= n; k += kLanes) {
-        for (int lane = 0; lane < kLanes; ++lane)
-            take(lane, values[k + lane]);
+        const Double4 a = load4(values + k);
+        const Double4 b = load4(values + k + kLanes / 2);
+        low = a > low ? a : low;
+        high = b > high ? b : high;
     }
+    low = high > low ? high : low;
+    double largest = least;
+    for (int lane = 0; lane < kLanes / 2; ++lane)
+        largest = low[lane] > largest ? low[lane] : largest;
     for (; k < n; ++k)
-        take(0, values[k]);
-    for (int lane = 1; lane < kLanes; ++lane)
-        take(0, lanes[at(lane)]);
-    return lanes[0];
+        largest = values[k] > largest ? values[k] : largest;
+    return largest;
 }
 
-// The entries [first, end) that hold all values above 0.
-Rings::Range positive_part(const double* values, int n) {
+constexpr int kPiece = 16;  // entries that are looked at together
+
+[[gnu::always_inline]] inline bool has_positive(const double* piece) {
+    Long4 above{};
+    for (int k = 0; k < kPiece; k += 4)
+        above |= load4(piece + k) > 0.0;
+    return any(above);
+}
+
+// The entries [first, end) that hold all values above 0. Whole pieces without any are passed over first.
+[[gnu::always_inline]] inline Rings::Range positive_part(const double* values, int n) {
     Rings::Range part{0, n};
+    while (part.end >= kPiece && !has_positive(values + (part.end - kPiece)))
+        part.end -= kPiece;
     while (part.end > 0 && !(values[part.end - 1] > 0.0))
         --part.end;
+    while (part.first + kPiece <= part.end && !has_positive(values + part.first))
+        part.first += kPiece;
     while (part.first < part.end && !(values[part.first] > 0.0))
         ++part.first;
     return part;
@@ -54,9 +68,11 @@ Rings::Range positive_part(const double* values, int n) {
     }
 }
 
-ONGGI_WIDE_VECTORS void find_surfaces(const double* face, const double* offset, double* surface, int n,
-                                      double sign, double radius) {
+// Returns the largest of the surfaces and `least`.
+ONGGI_WIDE_VECTORS double find_surfaces(const double* face, const double* offset, double* surface, int n,
+                                        double sign, double radius, double least) {
     surfaces_each(face, offset, surface, n, sign, radius);
+    return largest_each(surface, n, least);
 }
 
 }  // namespace
@@ -71,9 +87,7 @@ Contact::Contact(int capacity)
       met(Rings::at(capacity), 0.0),
       held(Rings::at(capacity), 0.0),
       place_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
-      mean_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F),
-      outer_step_mm(Rings::at(capacity), 0.0F),
-      inner_step_mm(Rings::at(capacity), 0.0F) {}
+      mean_mm(Rings::at(capacity + 2 * kSlopeRings), 0.0F) {}
 
 double residual_at(const Rings& rings, int i, double turn) noexcept {
     const float* row = rings.row_of(i);
@@ -96,8 +110,7 @@ double resting_distance_mm(const Rings& rings, Side side, double y, double r1, C
     double* const offset = work.offset_mm.data();
     double* const surface = work.depth_mm.data();
     rings.centres_from(y, range, offset);
-    find_surfaces(face.data() + range.first, offset, surface, range.size(), sign, r1);
-    return sign * largest_of(surface, range.size(), reach);
+    return sign * find_surfaces(face.data() + range.first, offset, surface, range.size(), sign, r1, reach);
 }
 
 namespace {
@@ -118,8 +131,6 @@ void add_residuals(Contact& contact, const Rings& rings, const Hand& hand, doubl
     const int first = contact.range.first;
     const int n = contact.range.size();
     const float* const rough_mm = rings.rough_mm.data() + first;
-    contact.has_rough_rows = std::any_of(rough_mm, rough_mm + n, [](float rough) { return rough > 0.0F; });
-    if (!contact.has_rough_rows) return;
     const double turn = turn_of(hand.in_clay);
     for (int k = 0; k < n; ++k) {
         const double w = rough_mm[k] > 0.0F ? residual_at(rings, first + k, turn) : 0.0;
@@ -160,12 +171,28 @@ struct Reach {
     }
 }
 
+[[gnu::always_inline]] inline bool is_any_rough(const float* rough, int n) {
+    std::int32_t any = 0;
+    for (int k = 0; k < n; ++k)
+        any |= rough[k] > 0.0F ? 1 : 0;
+    return any != 0;
+}
+
 ONGGI_WIDE_VECTORS void contact_all(Contact& contact, const Rings& rings, const double* face,
                                     const Reach& with) {
     const int first = contact.range.first;
     contact_each(contact.offset_mm.data(), face + first, rings.centre_x_mm.data() + first,
                  rings.centre_z_mm.data() + first, contact.half_width_mm.data(), contact.depth_mm.data(),
                  contact.push_mm.data(), contact.range.size(), with);
+    contact.has_rough_rows = is_any_rough(rings.rough_mm.data() + first, contact.range.size());
+}
+
+// What the depths and the pushes of a contact hold.
+ONGGI_WIDE_VECTORS void find_parts(Contact& contact) {
+    const int n = contact.range.size();
+    contact.deepest_mm = largest_each(contact.depth_mm.data(), n, -1e9);
+    contact.touched = positive_part(contact.depth_mm.data(), n);
+    contact.pushed = positive_part(contact.push_mm.data(), n);
 }
 
 }  // namespace
@@ -212,11 +239,8 @@ void find_contact(Contact& contact, const Rings& rings, const Hand& hand,
                  .ez = sign * hand.in_clay.y,
                  .yield = parameters.yield_depth_mm});
 
-    add_residuals(contact, rings, hand, sign);
-
-    contact.deepest_mm = largest_of(contact.depth_mm.data(), n, -1e9);
-    contact.touched = positive_part(contact.depth_mm.data(), n);
-    contact.pushed = positive_part(contact.push_mm.data(), n);
+    if (contact.has_rough_rows) add_residuals(contact, rings, hand, sign);
+    find_parts(contact);
     if (inside) {
         const int k = std::clamp(contact.nearest - first, 0, n - 1);
         contact.far_depth_mm =

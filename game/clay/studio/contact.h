@@ -25,15 +25,13 @@ struct Contact {
     std::vector<double> depth_mm;       // d, depth of the hand in the face: the felt depth
     std::vector<double> push_mm;      // x, mean hand against mean circle, beyond the yield: the flowing depth
     std::vector<double> residual_mm;  // w at the hand; set only if has_rough_rows
-    // For the entries of `pushed`:
+    // For the entries of `pushed`; the last two only where another hand is on the opposite face:
     std::vector<double> field;  // the part of x that moves the wall as a whole
     std::vector<double> met;    // fraction of the push that the other hand opposes, 0 to 1
     std::vector<double> held;   // contact of the other hand with the opposite face, 0 to 1
-    // For the wall field; entry k of the field's own range: y and R for the slope, steps of the two faces.
+    // For the wall field; entry k of the field's own range: y and R for the slope.
     std::vector<float> place_mm;
     std::vector<float> mean_mm;
-    std::vector<float> outer_step_mm;
-    std::vector<float> inner_step_mm;
 
     double height_mm = 0.0;       // height of the hand's centre; lifted off the floor for a hand inside
     double deepest_mm = -1e9;     // maximum of depth_mm

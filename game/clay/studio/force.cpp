@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
+#include "engine/math/wide_vectors.h"
 #include "game/clay/studio/load.h"
 
 namespace onggi::clay::studio {
@@ -27,20 +30,40 @@ double length_of(const dvec3& v) {
     return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
-// Mean direction of the touched normals, weighted by depth, in (outward, up).
-dvec2 pushed_direction(const Contact& contact, const Hand& hand) {
-    double outward = 0.0;
-    double up = 0.0;
-    for (int k = contact.touched.first; k < contact.touched.end; ++k) {
-        const double d = contact.depth_mm[Rings::at(k)];
-        if (!(d > 0.0)) continue;
-        outward += d * contact.half_width_mm[Rings::at(k)];
-        up -= d * contact.offset_mm[Rings::at(k)];
+// What a hand's touched rings add up to: their normals weighted by depth, outward and up, and their number.
+struct Touched {
+    double outward;
+    double up;
+    std::int64_t count;
+};
+
+// Branch-free: a ring that is not touched adds 0.
+[[gnu::always_inline]] inline Touched touched_each(const double* __restrict__ depth,
+                                                   const double* __restrict__ half_width,
+                                                   const double* __restrict__ offset, int n) {
+    Touched sums{};
+    for (int k = 0; k < n; ++k) {
+        const double d = depth[k] > 0.0 ? depth[k] : 0.0;
+        sums.outward += d * half_width[k];
+        sums.up -= d * offset[k];
     }
-    const double size = std::sqrt(outward * outward + up * up);
+    for (int k = 0; k < n; ++k)
+        sums.count += depth[k] > 0.0 ? 1 : 0;
+    return sums;
+}
+
+ONGGI_WIDE_VECTORS Touched touched_in(const Contact& contact) {
+    const std::ptrdiff_t from = contact.touched.first;
+    return touched_each(contact.depth_mm.data() + from, contact.half_width_mm.data() + from,
+                        contact.offset_mm.data() + from, contact.touched.size());
+}
+
+// Mean direction of the touched normals in (outward, up).
+dvec2 pushed_direction(const Touched& touched, const Contact& contact, const Hand& hand) {
+    const double size = std::sqrt(touched.outward * touched.outward + touched.up * touched.up);
     if (!(size > 0.0)) return {0.0, 0.0};
-    outward /= size;
-    up /= size;
+    const double outward = touched.outward / size;
+    const double up = touched.up / size;
     if (hand.side == Side::kIn) {
         // Near the axis, clay on both sides pushes the hand in opposite directions.
         const double opposite = std::clamp(contact.far_depth_mm / contact.deepest_mm, 0.0, 1.0);
@@ -77,17 +100,18 @@ Feel feel(const Rings& rings, const Contact& contact, const Hand& hand, const dv
             const double hinge = kTurn * su * wall * wall;
             size = size * hinge / (hinge + alone * size);
         }
-        const dvec2 direction = pushed_direction(contact, hand);
+        const Touched touched = touched_in(contact);
+        const dvec2 direction = pushed_direction(touched, contact, hand);
         normal += dvec3(e.x * direction.x, direction.y, e.y * direction.x) * size;
         lever_mm = hand.side == Side::kIn ? std::max(rings.inner_mm[at], 1.0) : rings.outer_mm[at];
-        int first = contact.range.size();
-        int last = 0;
-        for (int k = contact.touched.first; k < contact.touched.end; ++k) {
-            if (!(contact.depth_mm[Rings::at(k)] > 0.0)) continue;
-            ++felt.forces.contacts;
-            first = std::min(first, k);
-            last = k;
-        }
+        felt.forces.contacts = static_cast<int>(touched.count);
+        // The outermost rings of a grip's print may have no depth.
+        int first = contact.touched.first;
+        int last = contact.touched.end - 1;
+        while (first < last && !(contact.depth_mm[Rings::at(first)] > 0.0))
+            ++first;
+        while (first < last && !(contact.depth_mm[Rings::at(last)] > 0.0))
+            --last;
         felt.forces.contact_low_mm = rings.bottom_mm(contact.range.first + first);
         felt.forces.contact_high_mm = top_of(rings, contact.range.first + last);
     }

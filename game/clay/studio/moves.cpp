@@ -25,9 +25,9 @@ Changed together(const Changed& a, const Changed& b) {
 
 bool set_radii(Rings& rings, int i, double outer, double inner, double largest_strain) noexcept {
     const double height = ring_height_mm(rings.volume_mm3[at(i)], outer, inner);
-    if (!(Gate(rings, largest_strain)
-              .lets(rings.outer_mm[at(i)], rings.inner_mm[at(i)], rings.height_mm[at(i)], outer, inner,
-                    height) >= 0.0)) {
+    if (!Gate(rings, largest_strain)
+             .lets(rings.outer_mm[at(i)], rings.inner_mm[at(i)], rings.height_mm[at(i)], outer, inner,
+                   height)) {
         return false;
     }
     rings.outer_mm[at(i)] = outer;
@@ -45,10 +45,11 @@ struct PushFractions {
     double k0;
     double per_thin_wall;
     double per_carried_wall;
+    double none = 0.0;  // a value, not a literal: see Gate
 };
 
 // Branch-free, so that the loop vectorises over rings.
-template <bool kInside>
+template <bool kInside, bool kBacked>
 [[gnu::always_inline]] inline void push_each(double* __restrict__ outer, double* __restrict__ inner,
                                              double* __restrict__ height, double* __restrict__ field,
                                              const double* __restrict__ volume,
@@ -56,21 +57,22 @@ template <bool kInside>
                                              const double* __restrict__ push, const double* __restrict__ met,
                                              const double* __restrict__ held, int n,
                                              const PushFractions& with, const Gate& gate) {
-    const auto [fraction, above_floor, strain, k0, per_thin_wall, per_carried_wall] = with;
+    const auto [fraction, above_floor, strain, k0, per_thin_wall, per_carried_wall, none] = with;
     const Gate let = gate;
     for (int k = 0; k < n; ++k) {
         const double ro = outer[k];
         const double ri = inner[k];
         const double before = height[k];
         const double wall = ro - ri;
-        const double lone = 1.0 - met[k];
+        // A hand that nothing backs meets nothing: met and held are 0.
+        const double lone = kBacked ? 1.0 - met[k] : 1.0;
         // tie = above/(0.7 t), clamped to 0 to 1, and phi = tie/(1 + q^4), with one division.
         const double q = wall * per_thin_wall;
         const double stiff = 1.0 + (q * q) * (q * q);
         const double tied = 0.7 * wall;
         double above = above_floor + offset[k];
         above = above < tied ? above : tied;
-        above = above > 0.0 ? above : 0.0;
+        above = above > none ? above : none;
         const double phi = above / (tied * stiff);
         const double tie = phi * stiff;
         const double wall_fraction = ri > 0.0 ? lone * phi : 0.0;
@@ -83,17 +85,19 @@ template <bool kInside>
         // A wall held by both hands moves whole; a wall much thicker than the hands are wide moves as if held
         // by one.
         const double c = wall * per_carried_wall;
-        const double crosses = k0 + (1.0 - k0) * held[k] / (1.0 + (c * c) * (c * c));
+        const double crosses = kBacked ? k0 + (1.0 - k0) * held[k] / (1.0 + (c * c) * (c * c)) : k0;
         const double kappa = crosses * lone * (ri > 0.0 ? tie : 1.0) * room;
         const double face = kInside ? (ri > 1.0 ? ri : 1.0) : ro;
         // Bounded by how fast the clay can rise, and by the thinnest wall and narrowest ring.
         const double fastest = strain * wall * (ro + ri) / (2.0 * face * (1.0 - kappa));
-        const double thick = wall > kThinnestWallMm ? wall - kThinnestWallMm : 0.0;
+        const double spare = wall - let.thinnest_mm;
+        const double thick = spare > none ? spare : none;
         double delta = fraction * push[k] * (1.0 - wall_fraction);
         delta = delta < fastest ? delta : fastest;
         delta = delta < thick ? delta : thick;
         if constexpr (!kInside) {
-            const double narrow = ro > kNarrowestMm ? ro - kNarrowestMm : 0.0;
+            const double beyond = ro - let.narrowest_mm;
+            const double narrow = beyond > none ? beyond : none;
             delta = delta < narrow ? delta : narrow;
         }
 
@@ -107,32 +111,31 @@ template <bool kInside>
         const double new_inner = kInside ? touched : (ri > 0.0 ? far : 0.0);
         const double new_height = ring_height_mm(volume[k], new_outer, new_inner);
         // Without a push the ring keeps its bits.
-        const double spare = let.lets(ro, ri, before, new_outer, new_inner, new_height);
-        const double moves = delta > 0.0 ? spare : -1.0;
-        outer[k] = moves >= 0.0 ? new_outer : ro;
-        inner[k] = moves >= 0.0 ? new_inner : ri;
-        height[k] = moves >= 0.0 ? new_height : before;
+        const bool moves = (delta > 0.0) & let.lets(ro, ri, before, new_outer, new_inner, new_height);
+        outer[k] = moves ? new_outer : ro;
+        inner[k] = moves ? new_inner : ri;
+        height[k] = moves ? new_height : before;
     }
 }
 
-ONGGI_WIDE_VECTORS void push_all(Rings& rings, Contact& contact, bool inside, const PushFractions& with,
-                                 const Gate& gate) {
+template <bool kInside, bool kBacked>
+[[gnu::always_inline]] inline void push_as(Rings& rings, Contact& contact, const PushFractions& with,
+                                           const Gate& gate) {
     const std::ptrdiff_t from = contact.pushed.first;
     const std::ptrdiff_t first = contact.range.first + from;
-    double* const outer = rings.outer_mm.data() + first;
-    double* const inner = rings.inner_mm.data() + first;
-    double* const height = rings.height_mm.data() + first;
-    double* const field = contact.field.data() + from;
-    const double* const volume = rings.volume_mm3.data() + first;
-    const double* const offset = contact.offset_mm.data() + from;
-    const double* const push = contact.push_mm.data() + from;
-    const double* const met = contact.met.data() + from;
-    const double* const held = contact.held.data() + from;
-    const int n = contact.pushed.size();
-    if (inside)
-        push_each<true>(outer, inner, height, field, volume, offset, push, met, held, n, with, gate);
-    else
-        push_each<false>(outer, inner, height, field, volume, offset, push, met, held, n, with, gate);
+    push_each<kInside, kBacked>(rings.outer_mm.data() + first, rings.inner_mm.data() + first,
+                                rings.height_mm.data() + first, contact.field.data() + from,
+                                rings.volume_mm3.data() + first, contact.offset_mm.data() + from,
+                                contact.push_mm.data() + from, contact.met.data() + from,
+                                contact.held.data() + from, contact.pushed.size(), with, gate);
+}
+
+ONGGI_WIDE_VECTORS void push_all(Rings& rings, Contact& contact, bool inside, bool backed,
+                                 const PushFractions& with, const Gate& gate) {
+    if (inside && backed) return push_as<true, true>(rings, contact, with, gate);
+    if (inside) return push_as<true, false>(rings, contact, with, gate);
+    if (backed) return push_as<false, true>(rings, contact, with, gate);
+    push_as<false, false>(rings, contact, with, gate);
 }
 
 [[gnu::always_inline]] inline void back_each(const double* __restrict__ far,
@@ -168,8 +171,6 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
     const int first = contact.range.first;
     const int n = contact.range.size();
     const Rings::Range pushed = contact.pushed;
-    std::fill_n(contact.met.begin() + pushed.first, pushed.size(), 0.0);
-    std::fill_n(contact.held.begin() + pushed.first, pushed.size(), 0.0);
     if (other != nullptr) {
         // The common part of both pushes squeezes the wall; the excess of one moves it.
         const double* const far = face_at(rings, *other).data() + first;
@@ -182,13 +183,13 @@ Changed push_rings(Rings& rings, Contact& contact, const Hand& hand, const Hand*
                                   parameters.wall_fraction_k0,
                                   1.0 / parameters.thin_wall_mm,
                                   0.5 / hand.radius_mm};
-    push_all(rings, contact, inside, fractions, Gate(rings, fractions.strain));
+    push_all(rings, contact, inside, other != nullptr, fractions, Gate(rings, fractions.strain));
     if (inside) {
         for (int i = first; i < std::min(first + n, rings.first_hollow); ++i) {
             if (rings.is_hollow(i)) rings.first_hollow = i;
         }
     }
-    return contact.range;
+    return {first + pushed.first, first + pushed.end};
 }
 
 namespace {

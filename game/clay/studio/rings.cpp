@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/math/wide_vectors.h"
 #include "game/clay/studio/studio_parameters.h"
 
 namespace onggi::clay::studio {
@@ -152,42 +153,78 @@ Rings::Range Rings::rings_between(double low_mm, double high_mm) const {
     return {first, std::max(first, end)};
 }
 
-void Rings::centres(Range range, double* out) const {
+namespace {
+
+// Calls each(first, n, base_mm) for the rings of the range, block by block.
+template <typename Action>
+[[gnu::always_inline]] inline void for_each_block(const Rings& rings, const Rings::Range& range,
+                                                  const Action& each) {
     for (int i = range.first; i < range.end;) {
-        const double base = base_mm[at(i / kBlockRings)];
-        const int end = std::min(range.end, (i / kBlockRings + 1) * kBlockRings);
-        for (; i < end; ++i)
-            out[i - range.first] = centre_above(base, i);
+        const int block = i / kBlockRings;
+        const int end = std::min(range.end, (block + 1) * kBlockRings);
+        each(i, end - i, rings.base_mm[at(block)]);
+        i = end;
     }
 }
 
-void Rings::centres_from(double from_mm, Range range, double* out) const {
-    for (int i = range.first; i < range.end;) {
-        const double base = base_mm[at(i / kBlockRings)] - from_mm;
-        const int end = std::min(range.end, (i / kBlockRings + 1) * kBlockRings);
-        for (; i < end; ++i)
-            out[i - range.first] = base + (rise_mm[at(i)] + 0.5 * height_mm[at(i)]);
+ONGGI_WIDE_VECTORS void find_centres(const Rings& rings, const Rings::Range& range, double* out) {
+    for_each_block(rings, range, [&](int first, int n, double base) {
+        const double* __restrict__ const rise = rings.rise_mm.data() + first;
+        const double* __restrict__ const height = rings.height_mm.data() + first;
+        double* __restrict__ const found = out + (first - range.first);
+        for (int k = 0; k < n; ++k)
+            found[k] = centre_above(base, rise[k], height[k]);
+    });
+}
+
+ONGGI_WIDE_VECTORS void find_offsets(const Rings& rings, const Rings::Range& range, double from_mm,
+                                     double* out) {
+    for_each_block(rings, range, [&](int first, int n, double base) {
+        const double* __restrict__ const rise = rings.rise_mm.data() + first;
+        const double* __restrict__ const height = rings.height_mm.data() + first;
+        double* __restrict__ const found = out + (first - range.first);
+        const double from_base = base - from_mm;
+        for (int k = 0; k < n; ++k)
+            found[k] = from_base + (rise[k] + 0.5 * height[k]);
+    });
+}
+
+// Places the rings of whole blocks before `end`, kChains blocks side by side: each sum waits for its previous
+// addition, so that the sums of several blocks overlap. Returns the first block that is left.
+template <int kChains>
+int place_blocks(double* __restrict__ rise_mm, const double* __restrict__ height_mm, int block, int end) {
+    for (; block + kChains <= end; block += kChains) {
+        std::array<double, std::size_t{kChains}> rise{};
+        const std::ptrdiff_t first = block * kBlockRings;
+        for (std::ptrdiff_t i = first; i < first + kBlockRings; ++i) {
+            for (int chain = 0; chain < kChains; ++chain) {
+                rise_mm[i + chain * kBlockRings] = rise[at(chain)];
+                rise[at(chain)] += height_mm[i + chain * kBlockRings];
+            }
+        }
     }
+    return block;
+}
+
+}  // namespace
+
+void Rings::centres(Range range, double* out) const {
+    find_centres(*this, range, out);
+}
+
+void Rings::centres_from(double from_mm, Range range, double* out) const {
+    find_offsets(*this, range, from_mm, out);
 }
 
 void Rings::place(int first, int end) {
     const int blocks = (count + kBlockRings - 1) / kBlockRings;
     const int first_block = first / kBlockRings;
     const int last_block = std::min(blocks, (end + kBlockRings - 1) / kBlockRings);
-    // Four blocks side by side: each sum waits for its previous addition, so four sums overlap.
-    constexpr int kChains = 4;
+    const int whole_end = std::min(last_block, count / kBlockRings);
     int block = first_block;
-    for (; block + kChains <= last_block && (block + kChains) * kBlockRings <= count; block += kChains) {
-        std::array<double, kChains> rise{};
-        double* const rises = rise_mm.data() + block * kBlockRings;
-        const double* const heights = height_mm.data() + block * kBlockRings;
-        for (int i = 0; i < kBlockRings; ++i) {
-            for (int chain = 0; chain < kChains; ++chain) {
-                rises[chain * kBlockRings + i] = rise[at(chain)];
-                rise[at(chain)] += heights[chain * kBlockRings + i];
-            }
-        }
-    }
+    block = place_blocks<8>(rise_mm.data(), height_mm.data(), block, whole_end);
+    block = place_blocks<4>(rise_mm.data(), height_mm.data(), block, whole_end);
+    block = place_blocks<2>(rise_mm.data(), height_mm.data(), block, whole_end);
     for (; block < last_block; ++block) {
         const int stop = std::min(count, (block + 1) * kBlockRings);
         double rise = 0.0;
@@ -322,13 +359,47 @@ void join_rings(Rings& rings, int i) {
     rings.remove(i + 1, i + 2);
 }
 
+namespace {
+
+// A ring below the first height is joined if it can be; one above the second is split.
+struct HeightBounds {
+    double least_mm;
+    double most_mm;
+};
+
+HeightBounds height_bounds(double target_mm) {
+    return {kJoinBelow * target_mm, kSplitAbove * target_mm};
+}
+
+ONGGI_WIDE_VECTORS int first_outside(const double* height, int first, int end, const HeightBounds& bounds) {
+    constexpr int kPiece = 16;
+    const auto [least, most] = bounds;
+    int i = first;
+    for (; i + kPiece <= end; i += kPiece) {
+        std::int64_t outside = 0;
+        for (int k = 0; k < kPiece; ++k)
+            outside |= (height[i + k] > most ? 1 : 0) | (height[i + k] < least ? 1 : 0);
+        if (outside != 0) break;
+    }
+    while (i < end && !(height[i] > most) && !(height[i] < least))
+        ++i;
+    return i;
+}
+
+}  // namespace
+
+int first_to_tend(const Rings& rings, Rings::Range range, double target_mm) {
+    return first_outside(rings.height_mm.data(), range.first, range.end, height_bounds(target_mm));
+}
+
 Resplit tend_ring(Rings& rings, int i, double target_mm) {
     const double height = rings.height_mm[at(i)];
-    if (height > kSplitAbove * target_mm && rings.count < rings.capacity) {
+    const HeightBounds bounds = height_bounds(target_mm);
+    if (height > bounds.most_mm && rings.count < rings.capacity) {
         split_ring(rings, i);
         return {i, true};
     }
-    if (height < kJoinBelow * target_mm) {
+    if (height < bounds.least_mm) {
         const double highest = kJoinedAtMost * kSplitAbove * target_mm;
         const bool below = can_join(rings, i - 1, highest);
         const bool above = can_join(rings, i, highest);

@@ -50,6 +50,11 @@ inline double ring_height_mm(double volume_mm3, double outer_mm, double inner_mm
 // above.
 constexpr int kBlockRings = 64;
 
+// The height of a ring's middle.
+[[nodiscard]] inline double centre_above(double base_mm, double rise_mm, double height_mm) {
+    return base_mm + rise_mm + 0.5 * height_mm;
+}
+
 // A ring number as an index.
 [[nodiscard]] inline std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -91,7 +96,9 @@ struct Rings {
     [[nodiscard]] bool is_hollow(int i) const { return inner_mm[at(i)] > 0.0; }
     [[nodiscard]] double wall_mm(int i) const { return outer_mm[at(i)] - inner_mm[at(i)]; }
     [[nodiscard]] double bottom_mm(int i) const { return base_mm[at(i / kBlockRings)] + rise_mm[at(i)]; }
-    [[nodiscard]] double centre_mm(int i) const { return centre_above(base_mm[at(i / kBlockRings)], i); }
+    [[nodiscard]] double centre_mm(int i) const {
+        return centre_above(base_mm[at(i / kBlockRings)], rise_mm[at(i)], height_mm[at(i)]);
+    }
     [[nodiscard]] double top_mm() const { return top_; }
     // Height of the floor inside, where the hollow begins; the top for a solid lump.
     [[nodiscard]] double floor_mm() const { return first_hollow < count ? bottom_mm(first_hollow) : top_; }
@@ -137,9 +144,6 @@ struct Rings {
     static std::size_t at(int i) { return studio::at(i); }
 
   private:
-    [[nodiscard]] double centre_above(double base, int i) const {
-        return base + rise_mm[at(i)] + 0.5 * height_mm[at(i)];
-    }
     void shift(int from, int to);
 
     double top_ = 0.0;
@@ -164,6 +168,8 @@ struct Resplit {
     bool was_split = false;
 };
 
+// The first ring of the range that tend_ring() may split or join; the range's end if there is none.
+int first_to_tend(const Rings& rings, Rings::Range range, double target_mm);
 // Splits or joins ring i if its height calls for it. Does not update places.
 Resplit tend_ring(Rings& rings, int i, double target_mm);
 

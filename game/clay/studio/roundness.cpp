@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
+#include "engine/math/wide_vectors.h"
 #include "game/clay/exact_math.h"
 #include "game/clay/studio/moves.h"
 
@@ -20,20 +22,31 @@ float* open_row(Rings& rings, int i) {
     return row;
 }
 
+[[gnu::always_inline]] inline void centre_each(float* __restrict__ cx, float* __restrict__ cz,
+                                               const double* __restrict__ depth, int n, double yield,
+                                               float keep, float bx, float bz) {
+    for (int k = 0; k < n; ++k) {
+        const bool held = depth[k] > yield;
+        cx[k] = held ? cx[k] * keep + bx : cx[k];
+        cz[k] = held ? cz[k] * keep + bz : cz[k];
+    }
+}
+
+ONGGI_WIDE_VECTORS void centre_all(Rings& rings, const Contact& contact, double yield, float keep, float bx,
+                                   float bz) {
+    const std::ptrdiff_t from = contact.touched.first;
+    const std::ptrdiff_t first = contact.range.first + from;
+    centre_each(rings.centre_x_mm.data() + first, rings.centre_z_mm.data() + first,
+                contact.depth_mm.data() + from, contact.touched.size(), yield, keep, bx, bz);
+}
+
 }  // namespace
 
 void centre_rings(Rings& rings, const Contact& contact, const Hand& hand, double fraction,
                   double yield) noexcept {
-    const auto keep = static_cast<float>(1.0 - fraction);
-    const auto bx = static_cast<float>(fraction * hand.wobble_mm.x);
-    const auto bz = static_cast<float>(fraction * hand.wobble_mm.y);
-    float* const cx = rings.centre_x_mm.data() + contact.range.first;
-    float* const cz = rings.centre_z_mm.data() + contact.range.first;
-    for (int k = contact.touched.first; k < contact.touched.end; ++k) {
-        const bool held = contact.depth_mm[at(k)] > yield;
-        cx[k] = held ? cx[k] * keep + bx : cx[k];
-        cz[k] = held ? cz[k] * keep + bz : cz[k];
-    }
+    centre_all(rings, contact, yield, static_cast<float>(1.0 - fraction),
+               static_cast<float>(fraction * hand.wobble_mm.x),
+               static_cast<float>(fraction * hand.wobble_mm.y));
 }
 
 void round_sectors(Rings& rings, const Contact& contact, const Hand& hand, int stripe,

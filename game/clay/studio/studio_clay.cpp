@@ -381,8 +381,15 @@ bool StudioClay::tend_rings(double dt) {
     constexpr int kNoRing = std::numeric_limits<int>::max();
     int lowest = kNoRing;
     while (carried_.tend_credit >= 1.0 && carried_.change_credit >= 1.0) {
-        carried_.tend_credit -= 1.0;
         if (carried_.tend_next >= rings_.count) carried_.tend_next = 0;
+        // The rings that need no change are passed over at once; each takes its credit all the same.
+        const int most = static_cast<int>(carried_.tend_credit);
+        const int last = std::min(carried_.tend_next + most, rings_.count);
+        const int found = studio::first_to_tend(rings_, {carried_.tend_next, last}, target);
+        carried_.tend_credit -= found - carried_.tend_next;
+        carried_.tend_next = found;
+        if (found == last) continue;
+        carried_.tend_credit -= 1.0;
         const studio::Resplit did = studio::tend_ring(rings_, carried_.tend_next++, target);
         if (did.changed_ring < 0) continue;
         carried_.change_credit -= 1.0;

@@ -1,6 +1,7 @@
 #include "game/clay/studio/wall_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/math/wide_vectors.h"
@@ -9,7 +10,6 @@ namespace onggi::clay::studio {
 namespace {
 
 constexpr double kSteepest = 3.0;
-constexpr float kSteepestF = 3.0F;
 
 struct FieldFractions {
     float push;  // u, signed by the direction of the wall's motion
@@ -19,38 +19,44 @@ struct FieldFractions {
     float per_length;
     float chi;
     float room_inside;  // 1 for a wall that moves outward
+    // Values, not literals: see Gate.
+    float none = 0.0F;
+    float whole = 1.0F;
+    float least_rise = 1e-6F;
+    float steepest = 3.0F;
 };
 
 // Steps of the two faces of each ring. place and mean start kSlopeRings before the first ring.
 [[gnu::always_inline]] inline void field_steps_each(
     const double* __restrict__ outer, const double* __restrict__ inner, const float* __restrict__ place,
-    const float* __restrict__ mean, float* __restrict__ outer_step, float* __restrict__ inner_step, int n,
+    const float* __restrict__ mean, double* __restrict__ outer_step, double* __restrict__ inner_step, int n,
     const FieldFractions& with) {
-    const auto [push, above_floor, per_thin_wall, per_phi, per_length, chi, room_inside] = with;
+    const auto [push, above_floor, per_thin_wall, per_phi, per_length, chi, room_inside, none, whole,
+                least_rise, steepest] = with;
     for (int k = 0; k < n; ++k) {
         const auto ri = static_cast<float>(inner[k]);
         const auto t = static_cast<float>(outer[k] - inner[k]);
         const float y = place[k + kSlopeRings];
         const float s = y * per_length;
         float rest = 1.0F - s * s;
-        rest = rest > 0.0F ? rest : 0.0F;
+        rest = rest > none ? rest : none;
         // phi = tie/(1 + q^4) with tie = above/(0.7 t), at most 1, with one division.
         const float tied = 0.7F * t;
         float above = above_floor + y;
         above = above < tied ? above : tied;
-        above = above > 0.0F ? above : 0.0F;
+        above = above > none ? above : none;
         const float q = t * per_thin_wall;
         float phi = above * per_phi / (tied * (1.0F + (q * q) * (q * q)));
-        phi = phi < 1.0F ? phi : 1.0F;
+        phi = phi < whole ? phi : whole;
         // An almost closed neck has no room to move; solid clay has no wall.
         float room = 0.5F * ri + room_inside;
-        room = room < 1.0F ? room : 1.0F;
+        room = room < whole ? room : whole;
         const float here = ri > 0.0F ? push * rest : 0.0F;
         const float d = here * rest * phi * room;
         // T/(1 + T^2) with T = run/rise, clamped to +-3, with one division too.
         float rise = place[k + 2 * kSlopeRings] - place[k];
-        rise = rise > 1e-6F ? rise : 1e-6F;
-        const float furthest = kSteepestF * rise;
+        rise = rise > least_rise ? rise : least_rise;
+        const float furthest = steepest * rise;
         float run = mean[k + 2 * kSlopeRings] - mean[k];
         run = run < furthest ? run : furthest;
         run = run > -furthest ? run : -furthest;
@@ -59,29 +65,29 @@ struct FieldFractions {
         const float hoop = d / mean[k + kSlopeRings];
         // The wall keeps its volume: t' = t (1 - hoop - ln h'/h), and ln h'/h is -(1 - chi) hoop - rotation.
         const float half = 0.5F * t * (rotation - chi * hoop);
-        outer_step[k] = d + half;
-        inner_step[k] = d - half;
+        outer_step[k] = static_cast<double>(d + half);
+        inner_step[k] = static_cast<double>(d - half);
     }
 }
 
 [[gnu::always_inline]] inline void take_steps_each(double* __restrict__ outer, double* __restrict__ inner,
                                                    double* __restrict__ height,
                                                    const double* __restrict__ volume,
-                                                   const float* __restrict__ outer_step,
-                                                   const float* __restrict__ inner_step, int n,
+                                                   const double* __restrict__ outer_step,
+                                                   const double* __restrict__ inner_step, int n,
                                                    const Gate& gate) {
     const Gate let = gate;
     for (int k = 0; k < n; ++k) {
         const double ro = outer[k];
         const double ri = inner[k];
         const double before = height[k];
-        const double new_outer = ro + static_cast<double>(outer_step[k]);
-        const double new_inner = ri + static_cast<double>(inner_step[k]);
+        const double new_outer = ro + outer_step[k];
+        const double new_inner = ri + inner_step[k];
         const double new_height = ring_height_mm(volume[k], new_outer, new_inner);
-        const double spare = let.lets(ro, ri, before, new_outer, new_inner, new_height);
-        outer[k] = spare >= 0.0 ? new_outer : ro;
-        inner[k] = spare >= 0.0 ? new_inner : ri;
-        height[k] = spare >= 0.0 ? new_height : before;
+        const bool moves = let.lets(ro, ri, before, new_outer, new_inner, new_height);
+        outer[k] = moves ? new_outer : ro;
+        inner[k] = moves ? new_inner : ri;
+        height[k] = moves ? new_height : before;
     }
 }
 
@@ -110,17 +116,50 @@ ONGGI_WIDE_VECTORS void find_places(const Rings& rings, const Rings::Range& rang
     }
 }
 
-ONGGI_WIDE_VECTORS void move_each(Rings& rings, Contact& contact, const Rings::Range& range,
+// In pieces whose steps stay near.
+ONGGI_WIDE_VECTORS void move_each(Rings& rings, const Contact& contact, const Rings::Range& range,
                                   const FieldFractions& with, const Gate& gate) {
-    double* const outer = rings.outer_mm.data() + range.first;
-    double* const inner = rings.inner_mm.data() + range.first;
-    double* const height = rings.height_mm.data() + range.first;
-    float* const outer_step = contact.outer_step_mm.data();
-    float* const inner_step = contact.inner_step_mm.data();
-    field_steps_each(outer, inner, contact.place_mm.data(), contact.mean_mm.data(), outer_step, inner_step,
-                     range.size(), with);
-    take_steps_each(outer, inner, height, rings.volume_mm3.data() + range.first, outer_step, inner_step,
-                    range.size(), gate);
+    constexpr int kPiece = 128;
+    std::array<double, kPiece> outer_step;
+    std::array<double, kPiece> inner_step;
+    for (int from = 0; from < range.size(); from += kPiece) {
+        const int n = std::min(kPiece, range.size() - from);
+        double* const outer = rings.outer_mm.data() + (range.first + from);
+        double* const inner = rings.inner_mm.data() + (range.first + from);
+        field_steps_each(outer, inner, contact.place_mm.data() + from, contact.mean_mm.data() + from,
+                         outer_step.data(), inner_step.data(), n, with);
+        take_steps_each(outer, inner, rings.height_mm.data() + (range.first + from),
+                        rings.volume_mm3.data() + (range.first + from), outer_step.data(), inner_step.data(),
+                        n, gate);
+    }
+}
+
+// The part of a push that moves the wall as a whole, over a contact's rings.
+struct PushedWall {
+    double largest;
+    double weight;  // sum of (x phi)^2 h
+    double moment;  // of it about the hand's height
+};
+
+// Branch-free: a ring that is not pushed adds 0.
+[[gnu::always_inline]] inline PushedWall pushed_each(const double* __restrict__ field,
+                                                     const double* __restrict__ height,
+                                                     const double* __restrict__ offset, int n) {
+    PushedWall sums{};
+    for (int k = 0; k < n; ++k) {
+        const double moved = field[k] > 0.0 ? field[k] : 0.0;
+        const double weight = moved * moved * height[k];
+        sums.weight += weight;
+        sums.moment += weight * offset[k];
+        sums.largest = sums.largest < moved ? moved : sums.largest;
+    }
+    return sums;
+}
+
+ONGGI_WIDE_VECTORS PushedWall pushed_in(const Rings& rings, const Contact& contact) {
+    const std::ptrdiff_t from = contact.pushed.first;
+    return pushed_each(contact.field.data() + from, rings.height_mm.data() + (contact.range.first + from),
+                       contact.offset_mm.data() + from, contact.pushed.size());
 }
 
 // dR/dy between two rings. radii: the sum of both faces' radii.
@@ -173,20 +212,10 @@ double wall_slope(const Rings& rings, int i) noexcept {
 
 Changed move_wall(Rings& rings, Contact& contact, const Hand& hand, double fraction, double dt_s,
                   const StudioParameters& parameters) noexcept {
-    double largest = 0.0;
-    double weight_sum = 0.0;
-    double moment = 0.0;
-    for (int k = contact.pushed.first; k < contact.pushed.end; ++k) {
-        const double field = contact.field[at(k)];
-        if (!(field > 0.0)) continue;
-        largest = std::max(largest, field);
-        const double weight = field * field * rings.height_mm[at(contact.range.first + k)];
-        weight_sum += weight;
-        moment += weight * contact.offset_mm[at(k)];
-    }
-    const double u = fraction * largest;
+    const PushedWall pushed = pushed_in(rings, contact);
+    const double u = fraction * pushed.largest;
     if (!(u > 1e-9)) return {};
-    const double middle = contact.height_mm + moment / weight_sum;
+    const double middle = contact.height_mm + pushed.moment / pushed.weight;
     const int star = std::max(rings.ring_at(middle), std::min(rings.first_hollow, rings.count - 1));
     const double wall = rings.wall_mm(star);
     const double length =
