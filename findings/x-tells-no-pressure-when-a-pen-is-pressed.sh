@@ -91,12 +91,22 @@ static void press(void) {
     tell(&event, sizeof event.button, XF86IT_EVENT_BUTTON);
     wait_for_server();
 }
-// Prints the axes of what the window got by the extension since the last call; returns the count of core events.
-static int listed(const char* name, int prints) {
+// The motions that the core protocol's program got since the last call.
+static int motions(void) {
+    usleep(200000);
+    XSync(by_core, False);
+    int count = 0;
+    while (XPending(by_core) > 0) {
+        XEvent event;
+        XNextEvent(by_core, &event);
+        count += event.type == MotionNotify;
+    }
+    return count;
+}
+// Prints the axes of what the extension's program got since the last call.
+static void print_axes(void) {
     usleep(200000);
     XSync(by_extension, False);
-    XSync(by_core, False);
-    if (prints) printf("%s", name);
     while (XPending(by_extension) > 0) {
         XEvent event;
         XNextEvent(by_extension, &event);
@@ -105,17 +115,10 @@ static int listed(const char* name, int prints) {
         const XIValuatorState* axes = &((XIDeviceEvent*)event.xcookie.data)->valuators;
         int count = 0;
         for (int axis = 0; axis < axes->mask_len * 8; ++axis)
-            if (XIMaskIsSet(axes->mask, axis) && prints) printf("%s axis %d", count++ > 0 ? "," : "", axis);
-        if (prints) printf("%s", count == 0 ? " no axes" : count == 1 ? " alone" : "");
+            if (XIMaskIsSet(axes->mask, axis)) printf("%s axis %d", count++ > 0 ? "," : "", axis);
+        printf("%s", count == 0 ? " no axes" : count == 1 ? " alone" : "");
         XFreeEventData(by_extension, &event.xcookie);
     }
-    int core = 0;
-    while (XPending(by_core) > 0) {
-        XEvent event;
-        XNextEvent(by_core, &event);
-        core += event.type == MotionNotify;
-    }
-    return core;
 }
 static Window open_window(Display** display, long mask) {
     *display = XOpenDisplay(NULL);
@@ -135,6 +138,12 @@ int main(void) {
     xf86ITResponseServerVersion answer;
     if (recv(pen, &answer, sizeof answer, MSG_WAITALL) != (ssize_t)sizeof answer) return 2;
     open_window(&by_core, PointerMotionMask);
+    move(0x13, 0.2, 100);
+    motions();
+    move(0x10, 0.2, 300);
+    const int leaned = motions();
+    move(0x01, 0.3, 300);
+    const int moved = motions();
     const Window root = open_window(&by_extension, NoEventMask);
     int event_base, error_base, major = 2, minor = 2;
     if (!XQueryExtension(by_extension, "XInputExtension", &extension, &event_base, &error_base)) return 2;
@@ -143,20 +152,21 @@ int main(void) {
     XISetMask(wanted, XI_Motion);
     XISetMask(wanted, XI_ButtonPress);
     XISelectEvents(by_extension, root, &(XIEventMask){XIAllMasterDevices, sizeof wanted, wanted}, 1);
-    move(0x13, 0.2, 100);
-    listed("", 0);
-    move(0x10, 0.2, 300);
-    const int leaned = listed("pressed harder:", 1);
-    printf(", core events %d", leaned);
-    move(0x01, 0.3, 300);
-    const int moved = listed("; moved sideways:", 1);
-    printf(", core events %d", moved);
+    XSync(by_extension, False);
+    printf("pressed harder:");
+    move(0x10, 0.3, 400);
+    print_axes();
+    printf(", core events %d; moved sideways:", leaned);
+    move(0x01, 0.4, 400);
+    print_axes();
+    printf(", core events %d; press:", moved);
     press();
-    listed("; press:", 1);
+    print_axes();
     return 0;
 }
 CODE
-gcc -Iusr/include pen.c -o pen-events -lX11 "$PWD/usr/lib/x86_64-linux-gnu/libXi.so.6" -Wl,--unresolved-symbols=ignore-in-shared-libs
+gcc -Iusr/include pen.c -o pen-events -lX11 "$PWD/usr/lib/x86_64-linux-gnu/libXi.so.6" \
+    -Wl,--unresolved-symbols=ignore-in-shared-libs
 modules=$PWD/usr/lib/xorg/modules
 usr/lib/xorg/Xorg -seat seat-finding -config xorg.conf -modulepath "$modules" -logfile "$PWD/x.log" -displayfd 3 \
     -noreset -nolisten tcp 3>number >/dev/null 2>&1 &
