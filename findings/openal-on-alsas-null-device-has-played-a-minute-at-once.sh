@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Package: libopenal1, libopenal-dev 1:1.19.1-2, libopenal-data 1:1.19.1-2 with libasound2 1.2.8-1+b1 (Debian 12).
 # Behaviour: ALSA's device "null", which an asoundrc names as the default where a machine has no card, takes sound as fast
-# as it is given, and OpenAL Soft gives it as fast as it can: a minute of sound has been played within a second, and a core
-# is busy meanwhile. OpenAL's own back end "null" takes the minute that it lasts.
+# as it is given, and OpenAL Soft gives it as fast as it can, also while nothing plays: a minute of sound has been played
+# within seconds. OpenAL's own back end "null" takes the minute that it lasts.
 # Expected: both keep the time of the sound, as every device does that a program may wait for.
 # Why it matters: a kiosk whose screens wait for a spoken line flies through them on the machine that builds it, and heats a
 # quiet one. Choose OpenAL's null (ALSOFT_DRIVERS=null), and let no screen wait by sound alone.
