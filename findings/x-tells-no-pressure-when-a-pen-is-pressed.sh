@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Package: xserver-xorg-core, xserver-xorg-dev 2:21.1.7-3+deb12u12, xserver-xorg-video-dummy 1:0.4.0-1, libxi6, libxi-dev
-# 2:1.8-1+b1 (Debian 12), a pen of the server's own test driver (inputtest).
+# 2:1.8-1+b1, libxfixes-dev 1:6.0.0-2 (Debian 12), a pen of the server's own test driver (inputtest).
 # Behaviour: XInput 2's event of a pen's press lists no valuator at all, so no pressure. A motion lists what the driver told,
 # and no more: pressure alone, or x alone. A program of the core protocol gets nothing when the pen is only pressed harder.
 # Expected: a press that says how firm it is, and motions with the whole state: the event has room for every axis.
@@ -15,7 +15,7 @@ trap '[ -z "$server" ] || kill "$server" 2>/dev/null || true; wait; rm -rf "$fol
 cd "$folder"
 version=2:21.1.7-3+deb12u12
 apt-get -qq -o APT::Sandbox::User=root download "xserver-xorg-core=$version" "xserver-xorg-dev=$version" \
-    xserver-xorg-video-dummy=1:0.4.0-1 libxi6=2:1.8-1+b1 libxi-dev=2:1.8-1+b1
+    xserver-xorg-video-dummy=1:0.4.0-1 libxi6=2:1.8-1+b1 libxi-dev=2:1.8-1+b1 libxfixes-dev=1:6.0.0-2
 for package in *.deb; do dpkg-deb -x "$package" .; done
 cat >xorg.conf <<'CONF'
 Section "ServerFlags"
