@@ -14,7 +14,8 @@ namespace {
 // If the driver reports when an image is on the screen, the display paces the frames and every image is shown
 // (FIFO). Otherwise the caller paces them, and a mailbox, where the newest image replaces a waiting one,
 // never blocks. A software device copies its picture to the screen immediately, so the mode only determines
-// the number of images: Mesa keeps five for mailbox and three for immediate.
+// the number of images: Mesa keeps five for mailbox and three for immediate
+// (findings/mesa-keeps-five-images-for-mailbox-and-three-for-the-rest.sh).
 VkPresentModeKHR best_of(std::span<const VkPresentModeKHR> modes, const Device& device) {
     const auto has = [&](VkPresentModeKHR mode) {
         return std::find(modes.begin(), modes.end(), mode) != modes.end();

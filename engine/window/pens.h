@@ -50,7 +50,8 @@ class PenState {
   public:
     // The devices now. What is known of those that stay is kept.
     void know(const std::vector<PenDevice>& devices);
-    // The device that reports leads.
+    // The device that reports leads. An axis that is not reported keeps its value
+    // (findings/x-tells-no-pressure-when-a-pen-is-pressed.sh).
     void take(const PointerReport& report);
     void touched() { leader_.reset(); }
     // Whether the pointer's last report came from a device with pressure, be it a pen or not.

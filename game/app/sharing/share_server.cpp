@@ -525,7 +525,8 @@ class MicroServer final : public ShareServer {
             if (client->heads.empty() || client->heads.front() != line_of(method, request->target))
                 return MHD_NO;
             client->heads.pop_front();
-            // Answering in the first call ends the connection, as intended for a request with a body.
+            // Answering in the first call ends the connection, as intended for a request with a body
+            // (findings/libmicrohttpd-closes-a-connection-that-is-answered-at-the-first-call.sh).
             const bool has_body = !header(connection, MHD_HTTP_HEADER_CONTENT_LENGTH).empty() ||
                                   !header(connection, MHD_HTTP_HEADER_TRANSFER_ENCODING).empty();
             if (!has_body) return MHD_YES;

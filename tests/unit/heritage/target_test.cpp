@@ -100,6 +100,11 @@ TEST(HeritageTargets, RejectRowsOutOfBounds) {
               "t.csv:2: height_mm: expected 1 to 2000, found nothing");
     EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80mm,80,,40,,,r,\n"),
               "t.csv:2: height_mm: expected nothing or 1 to 2000, found '80mm'");
+    // Other readers of tables drop the comma (findings/csvkit-reads-a-height-of-6-comma-8-as-68.sh).
+    EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,\"80,5\",80,,40,,,r,\n"),
+              "t.csv:2: height_mm: expected nothing or 1 to 2000, found '80,5'");
+    EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80 3/8,80,,40,,,r,\n"),
+              "t.csv:2: height_mm: expected nothing or 1 to 2000, found '80 3/8'");
     EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80,nan,,40,,,r,\n"),
               "t.csv:2: max_diameter_mm: expected nothing or 1 to 2000, found 'nan'");
     EXPECT_EQ(refusal_of_rows("cup,Cup,M,then,80,80,,0,,,r,\n"),
