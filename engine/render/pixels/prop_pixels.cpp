@@ -91,8 +91,9 @@ ONGGI_WIDE_VECTORS void draw_all(std::span<const PropCorner> corners, std::span<
         shape.corners = {own[0], own[1], own[2], nullptr};
         const float area = shapes::area_of(own[0]->at_px, own[1]->at_px, own[2]->at_px);
         if (std::abs(area) < shapes::kNoArea) continue;
-        shapes::find_slopes(shape, area);
         shapes::find_reach(shape, area > 0.0F, canvas.size, reach);
+        if (reach.top >= reach.end) continue;
+        shapes::find_slopes(shape, area);
         draw(shape, reach, canvas);
     }
 }

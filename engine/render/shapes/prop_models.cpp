@@ -49,7 +49,9 @@ std::vector<vec4> face_planes(const PropMesh& mesh) {
         const vec3 b = mesh.vertices[mesh.indices[i + 1]].position_mm;
         const vec3 c = mesh.vertices[mesh.indices[i + 2]].position_mm;
         const vec3 normal = glm::cross(b - a, c - a);
-        planes.emplace_back(normal, glm::dot(normal, a));
+        constexpr float kLeastMm2 = 1e-12F;
+        const vec3 unit = normal / std::max(glm::length(normal), kLeastMm2);
+        planes.emplace_back(unit, glm::dot(unit, a));
     }
     return planes;
 }
@@ -59,14 +61,11 @@ std::vector<std::uint8_t> faces_towards(const PlacedMesh& placed, vec3 eye_mm) {
     // A mirror transform turns back faces into front faces.
     const float side = glm::determinant(mat3(placed.place)) < 0.0F ? -1.0F : 1.0F;
     std::vector<std::uint8_t> towards(placed.planes.size());
+    const vec4 away(side * eye, -side);
     std::transform(placed.planes.begin(), placed.planes.end(), towards.begin(), [&](const vec4& plane) {
-        const vec3 normal(plane);
         // Keep nearly edge-on faces; the rasteriser culls them exactly.
         constexpr float kEdgeOnMm = 0.01F;
-        const float towards_eye = side * (glm::dot(normal, eye) - plane.w);
-        const bool looks_away =
-            towards_eye < 0.0F && square(towards_eye) > square(kEdgeOnMm) * glm::dot(normal, normal);
-        return static_cast<std::uint8_t>(looks_away ? 0 : 1);
+        return static_cast<std::uint8_t>(glm::dot(plane, away) >= -kEdgeOnMm ? 1 : 0);
     });
     return towards;
 }
@@ -74,8 +73,15 @@ std::vector<std::uint8_t> faces_towards(const PlacedMesh& placed, vec3 eye_mm) {
 void choose_prop_faces(const PlacedMesh& placed, std::span<const std::uint8_t> towards_eye,
                        const InsidePot* pot, std::vector<std::uint32_t>& indices) {
     const PropMesh& mesh = placed.mesh;
+    // Six triangles share a corner on average: each is looked at once.
+    enum : std::uint8_t { kUnknown, kSeen, kHidden };
+    std::vector<std::uint8_t> known(pot != nullptr ? mesh.vertices.size() : 0, kUnknown);
     const auto is_hidden = [&](std::uint32_t corner) {
-        return pot->hides(vec3(placed.place * vec4(mesh.vertices[corner].position_mm, 1.0F)));
+        if (known[corner] == kUnknown) {
+            const vec3 place(placed.place * vec4(mesh.vertices[corner].position_mm, 1.0F));
+            known[corner] = pot->hides(place) ? kHidden : kSeen;
+        }
+        return known[corner] == kHidden;
     };
     for (std::size_t face = 0; face < towards_eye.size(); ++face) {
         if (towards_eye[face] == 0) continue;

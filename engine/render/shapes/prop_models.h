@@ -36,8 +36,8 @@ class InsidePot {
     float outside_2_mm2_;  // squared radius of the outside at that height
 };
 
-// Returns a triangle's plane in its mesh's frame: the outward normal, not of unit length, and the plane's
-// offset along it. One per triangle, in the order of the indices.
+// Returns a triangle's plane in its mesh's frame: the outward normal of length 1, or 0 without an area, and
+// the plane's offset along it. One per triangle, in the order of the indices.
 [[nodiscard]] std::vector<vec4> face_planes(const PropMesh& mesh);
 
 // A mesh with the transform of its prop.

@@ -28,7 +28,7 @@ std::string size_of(const Page& page, const Exhibit& exhibit) {
     return page.measure(whole(exhibit.height_mm) + " \u00d7 " + whole(exhibit.diameter_mm), "unit.mm");
 }
 
-// Fits the words of a card into its size; the last line is the pot's size.
+// Fits the words of a card into its most size; the last line is the pot's size.
 FittedLines card_words(Page& page, const Choice& choice, vec2 card) {
     const bool free = choice.exhibit == nullptr;
     std::vector<Words> lines{
@@ -46,19 +46,18 @@ FittedLines card_words(Page& page, const Choice& choice, vec2 card) {
     return page.fitted(std::move(lines), {card.x - 22.0F, card.y - 26.0F});
 }
 
+// The height of a card around its words.
+float card_height(Page& page, const Choice& choice, vec2 most) {
+    constexpr float kAround = 28.0F;
+    return std::clamp(card_words(page, choice, most).height + kAround, design::kLeastTarget, most.y);
+}
+
 void draw_card(Page& page, const Rect& card, const Choice& choice, int index) {
     const bool free = choice.exhibit == nullptr;
     page.card_target(card, free, free ? Button::kFree : Button::kTarget, free ? 0 : index - 1,
                      page.named(choice.key));
     const Rect inner{card.x + 11.0F, card.y + 11.0F, card.width - 22.0F, card.height - 18.0F};
-    FittedLines fitted = card_words(page, choice, {card.width, card.height});
-    // The size is always the card's last line.
-    if (choice.exhibit != nullptr) {
-        const float room = fitted.heights.back();
-        page.fixed_words({inner.x, inner.bottom() - room, inner.width, room + 2.0F}, fitted.lines.back());
-        fitted.lines.pop_back();
-    }
-    page.fitted_words(inner, fitted);
+    page.fitted_words(inner, card_words(page, choice, {card.width, card.height}));
 }
 
 constexpr float kAboutSide = design::kLeastTarget;
@@ -129,8 +128,11 @@ void choices_in_rows(Page& page, ShownChoices& shown) {
         const Rect shelf = page.mirrored({24.0F, y + step - 30.0F, 216.0F, 14.0F});
         page.down(shelf, design::kShelf, design::kShelfEdge);
         const Rect touched = choice_pot(page, shown.at(i), shown.scale, {shelf.centre().x, shelf.y + 5.0F});
-        draw_card(page, page.mirrored({256.0F, y, width - 256.0F - 24.0F - kAboutRoom, step - 14.0F}),
-                  shown.at(i), shown.first + i);
+        // Beside the pot, around the middle of its row.
+        const vec2 most{width - 256.0F - 24.0F - kAboutRoom, step - 14.0F};
+        const float high = card_height(page, shown.at(i), most);
+        draw_card(page, page.mirrored({256.0F, y + 0.5F * (most.y - high), most.x, high}), shown.at(i),
+                  shown.first + i);
         page.also_touched_at(touched);
         about(page,
               page.mirrored({width - 24.0F - kAboutSide, y + 0.5F * (step - 14.0F - kAboutSide), kAboutSide,
@@ -147,25 +149,24 @@ void choices_on_shelf(Page& page, ShownChoices& shown) {
     const float gap = 10.0F;
     const float card_width =
         (page.width() - 48.0F - gap * static_cast<float>(shown.count - 1)) / static_cast<float>(shown.count);
-    // The cards are as high as the longest needs, and the pots have the rest.
-    const float most_height = bottom - least_y - 40.0F;
-    float card_height = 0.0F;
-    for (int i = 0; i < shown.count; ++i) {
-        const float needed = card_words(page, shown.at(i), {card_width, most_height}).height + 34.0F;
-        card_height = std::clamp(needed, card_height, most_height);
-    }
-    const float card_top = bottom - card_height;
+    // The cards hang below the shelf, each as high as its words, and the pots have the room above the
+    // highest.
+    const vec2 most{card_width, bottom - least_y - 40.0F};
+    std::vector<float> heights;
+    for (int i = 0; i < shown.count; ++i)
+        heights.push_back(card_height(page, shown.at(i), most));
+    const float card_top = bottom - *std::max_element(heights.begin(), heights.end());
     const float shelf_y = card_top - 40.0F;
     shown.scale = shared_scale(shown, {card_width - 2.0F * kAboutRoom, shelf_y - 96.0F});
     page.shelf(shelf_y, 30.0F);
     for (int i = 0; i < shown.count; ++i) {
-        const Rect card = page.mirrored(
-            {24.0F + static_cast<float>(i) * (card_width + gap), card_top, card_width, card_height});
+        const Rect card = page.mirrored({24.0F + static_cast<float>(i) * (card_width + gap), card_top,
+                                         card_width, heights[static_cast<std::size_t>(i)]});
         const Rect touched = choice_pot(page, shown.at(i), shown.scale, {card.centre().x, shelf_y + 9.0F});
         draw_card(page, card, shown.at(i), shown.first + i);
         page.also_touched_at(touched);
         // Beside its pot on the shelf, or below its card with low controls.
-        const float about_y = page.is_low() ? card.bottom() + 8.0F : shelf_y - kAboutSide - 2.0F;
+        const float about_y = page.is_low() ? bottom + 8.0F : shelf_y - kAboutSide - 2.0F;
         about(page, {card.right() - kAboutSide, about_y, kAboutSide, kAboutSide}, shown.at(i),
               shown.first + i);
     }
