@@ -23,7 +23,7 @@ trap 'kill $server 2>/dev/null || true; rm -rf "$folder"' EXIT
 if [ -n "${TURNED:-}" ]; then
     seen=768x1024
     # As the start script does: cage 0.1.5 and later obey a client instead.
-    if cage -h 2>&1 | grep -q '^ -r'; then
+    if [[ "$(cage -h 2>&1)" = *$'\n -r\t'* ]]; then
         compositor=(cage -r --)
     else
         command -v wlr-randr >/dev/null || { echo "SKIPPED: no wlr-randr"; exit 77; }
