@@ -15,11 +15,12 @@ packages_to_check=(
     glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers
     xvfb xserver-xorg-core xserver-xorg-video-dummy xserver-xorg-dev xdotool x11-xserver-utils libx11-dev umockdev libumockdev-dev admesh zbar-tools curl python3 git
     systemd cage xwayland dpkg-dev qemu-user fonts-noto-cjk espeak-ng)
-# The clang of .cmake/clang.cmake. Only Debian 12 has the clang-format that the source is formatted by.
+# The clang of .cmake/clang.cmake. Only Debian 12 has the clang-format that the source is formatted by, and a cage that turns
+# the picture by itself.
 if grep -qs '^VERSION_CODENAME=bookworm$' /etc/os-release; then
     packages_to_check+=(clang-14 libclang-rt-14-dev clang-format-14)
 else
-    packages_to_check+=(clang-19 libclang-rt-19-dev)
+    packages_to_check+=(clang-19 libclang-rt-19-dev wlr-randr)
 fi
 packages_for_web=(chromium gir1.2-webkit2-4.1 python3-gi libgl1-mesa-dri gstreamer1.0-plugins-good gstreamer1.0-libav)
 packages_for_swiftshader=(chromium)

@@ -12,18 +12,24 @@ for program in cage Xwayland setpriv; do
 done
 source "$here/../support/display.sh"
 size=1024x768
-turned=
+compositor=(cage --)
 seen=$size
-if [ -n "${TURNED:-}" ]; then
-    turned=-r
-    seen=768x1024
-fi
 mkdir -p "$4"
 results=$(realpath "$4")
 # A folder that any user can read and the compositor's user can write.
 folder=$(mktemp -d)
 server=
 trap 'kill $server 2>/dev/null || true; rm -rf "$folder"' EXIT
+if [ -n "${TURNED:-}" ]; then
+    seen=768x1024
+    # As the start script does: cage 0.1.5 and later obey a client instead.
+    if [[ "$(cage -h 2>&1)" = *$'\n -r\t'* ]]; then
+        compositor=(cage -r --)
+    else
+        command -v wlr-randr >/dev/null || { echo "SKIPPED: no wlr-randr"; exit 77; }
+        compositor=(cage -- bash "$folder/assets/install/kiosk.in" turned 90)
+    fi
+fi
 cp -r "$2" "$here/../../assets" "$here" "$here/../support" "$folder"
 mkdir "$folder/programs"
 for program in screen_targets clay_places judge_session finger; do cp "$3/$program" "$folder/programs"; done
@@ -41,7 +47,7 @@ status=0
 "${as_visitor[@]}" env HOME="$folder" XDG_RUNTIME_DIR="$folder/run" ONGGI_ASSETS="$folder/assets" \
     LSAN_OPTIONS="suppressions=$folder/support/lsan.supp:print_suppressions=0" \
     WLR_BACKENDS=x11 WLR_RENDERER=pixman CAGED=1 TURNED="${TURNED:-}" TOUCH_SCREEN="$folder/desk/touch-screen" \
-    cage $turned -- bash "$folder/window/$1" "$folder/$(basename "$2")" "$folder/programs" "$folder/visit" touch "${5:-en}" "$seen" \
+    "${compositor[@]}" bash "$folder/window/$1" "$folder/$(basename "$2")" "$folder/programs" "$folder/visit" touch "${5:-en}" "$seen" \
     >"$folder/cage.log" 2>&1 || status=$?
 rm -rf "$results"
 cp -r "$folder/visit" "$results"
