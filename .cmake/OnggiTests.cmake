@@ -26,7 +26,7 @@ function(onggi_measure_slowness)
         execute_process(COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 ${flags} ${options} ${source} -o ${program}
             COMMAND_ERROR_IS_FATAL ANY)
     endif()
-    execute_process(COMMAND ${program} OUTPUT_VARIABLE took_ms OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} ${program} OUTPUT_VARIABLE took_ms OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
     math(EXPR hundredths "${took_ms} * 100 / ${reference_ms}")
     if(hundredths LESS 100)
         set(hundredths 100)

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Compiles the program for arm64 by Debian's cross compiler, makes its package, and runs under qemu-user the tests of the
+# clay, the paper's method and replay: arm64.sh, from the root of the checkout. It adds the architecture to dpkg, so it belongs
+# in a root of its own (in_suite.sh).
+set -euo pipefail
+source .ci/setup.sh
+dpkg --add-architecture arm64
+install_packages crossbuild-essential-arm64 "${packages_to_run[@]}" "${packages_to_check[@]}"
+libraries=()
+for name in "${packages_to_run[@]}" "${packages_to_check[@]}"; do
+    case $name in
+        glslang-dev | xserver-xorg-dev) ;;  # its programs take the place of this machine's; for a test's driver of Xorg
+        *-dev) libraries+=("$name") ;;
+    esac
+done
+list=$(printf ', %s' "${libraries[@]}")
+say "installing libraries for arm64"
+apt-get -qq -a arm64 satisfy -y --no-install-recommends "${list:2}" >/dev/null
+tests=(paper_equations replay_sessions replay_start_state earlier_formats unit_clay unit_core
+    studio_chaos studio_grips studio_hands studio_joining studio_load studio_pots studio_rings studio_round studio_state studio_tools
+    studio_trimming)
+build arm64 -DONGGI_TESTS=ON -- onggi "${tests[@]}"
+python3 tests/run_tests.py build/arm64 -R "^($(IFS='|'; echo "${tests[*]}"))$"
+cpack --config build/arm64/CPackConfig.cmake -B build/arm64/packages
