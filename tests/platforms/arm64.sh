@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Compiles the program for arm64 by Debian's cross compiler, makes its package, and runs under qemu-user the tests of the
-# clay, the paper's method and replay: arm64.sh, from the root of the checkout. It adds the architecture to dpkg, so it belongs
-# in a root of its own (in_suite.sh).
+# Compiles for arm64 by Debian's cross compiler: arm64.sh [TARGET...], from the root of the checkout. Without targets it compiles
+# the program, makes its package, and runs the tests of the clay, the paper's method and replay under qemu-user. It adds the
+# architecture to dpkg, so it belongs in a root of its own (in_suite.sh).
 set -euo pipefail
 source .ci/setup.sh
 dpkg --add-architecture arm64
@@ -16,6 +16,10 @@ done
 list=$(printf ', %s' "${libraries[@]}")
 say "installing libraries for arm64"
 apt-get -qq -a arm64 satisfy -y --no-install-recommends "${list:2}" >/dev/null
+if [ $# -gt 0 ]; then
+    build arm64 -DONGGI_TESTS=ON -- "$@"
+    exit
+fi
 tests=(paper_equations replay_sessions replay_start_state earlier_formats unit_clay unit_core
     studio_chaos studio_grips studio_hands studio_joining studio_load studio_pots studio_rings studio_round studio_state studio_tools
     studio_trimming)

@@ -6,14 +6,18 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 here=$(. /etc/os-release && echo "$VERSION_CODENAME")
-platforms=("$here-gcc" "$here-clang" trixie-gcc trixie-clang old-x86)
+platforms=("$here-gcc" "$here-clang" trixie-gcc trixie-clang old-x86 arm64)
 
 hashes_of() {
     local preset=$1
     shift
-    source .ci/setup.sh
-    install_packages "${packages_to_run[@]}" "${packages_to_check[@]}"
-    build "$preset" -DONGGI_TESTS=ON -- session_hashes
+    if [ "$preset" = arm64 ]; then
+        tests/platforms/arm64.sh session_hashes
+    else
+        source .ci/setup.sh
+        install_packages "${packages_to_run[@]}" "${packages_to_check[@]}"
+        build "$preset" -DONGGI_TESTS=ON -- session_hashes
+    fi
     "$@" "build/$preset/tests/session_hashes" assets/demonstrations/*.onggi tests/replay/sessions/*.onggi
 }
 in_suite() { tests/platforms/in_suite.sh "$1" "build/platforms/$1" tests/platforms/session_hashes.sh of "$2"; }
@@ -33,6 +37,7 @@ for platform in "${platforms[@]}"; do
     trixie-gcc) run=(in_suite trixie release) ;;
     trixie-clang) run=(in_suite trixie clang) ;;
     old-x86) run=(hashes_of release qemu-x86_64 -cpu Nehalem) ;;
+    arm64) run=(tests/platforms/in_suite.sh "$here" build/platforms/arm64 tests/platforms/session_hashes.sh of arm64 qemu-aarch64) ;;
     *) echo "session_hashes.sh: expected one of ${platforms[*]}, found '$platform'" >&2; exit 2 ;;
     esac
     ("${run[@]}") >"$hashes/$platform.log" 2>&1 || { cat "$hashes/$platform.log"; exit 1; }
