@@ -139,23 +139,21 @@ bool LiveScreen::avoid_device() {
 
 // A software driver may send each picture to the X server through a socket
 // (findings/lavapipe-sends-pictures-through-the-socket.sh), so the processor's pictures are shared with it.
-// Returns false if they are not.
-Result<bool> LiveScreen::open_host_target() {
+// Returns false if they cannot be: then the driver's images serve.
+bool LiveScreen::open_host_target() {
     const bool is_told = device_->wait_for_present() != nullptr;
     if (class_ != render::DeviceClass::kSoftware || is_told || device_->host_pointer_properties() == nullptr)
         return false;
     auto memory = window_->host_surface();
     if (!memory) return false;
     auto made = vk::HostTarget::create(*device_, std::move(memory), extent_of(window_->size()));
-    if (!made) return made.error();
-    host_ = std::move(*made);
-    return true;
+    if (made) host_ = std::move(*made);
+    return host_ != nullptr;
 }
 
 Result<void> LiveScreen::open_target() {
     if (surface_) {
-        const auto opened = open_host_target();
-        if (!opened || *opened) return opened ? Result<void>() : opened.error();
+        if (open_host_target()) return {};
         auto made = vk::Swapchain::create(*device_, *surface_, extent_of(window_->size()));
         if (!made) return made.error();
         swapchain_ = std::move(*made);

@@ -88,7 +88,7 @@ class LiveScreen {
     void begin_ladder();
     bool avoid_device();
     Result<void> open_target();
-    Result<bool> open_host_target();
+    bool open_host_target();
     Result<void> make_renderer();
     Result<void> make_anew();
     Result<bool> draw_once(const render::Scene& scene, const render::Overlay* overlay);

@@ -21,7 +21,7 @@
 namespace onggi::window {
 namespace {
 
-constexpr WindowDesc kWindow{.width = 640, .height = 480, .title = "input", .full_screen = false};
+const WindowDesc kWindow{.width = 640, .height = 480, .title = "input", .full_screen = false};
 constexpr double kMostPressure = 1000.0;  // of the driver's pens
 
 std::string path_in(const char* variable) {

@@ -48,10 +48,10 @@ std::optional<double> resident_mb() {
 }
 
 std::optional<double> own_mb() {
-    const auto heap = status_mb("RssAnon:");
-    const auto shared = status_mb("RssShmem:");  // the window's picture
-    if (!heap || !shared) return std::nullopt;
-    return *heap + *shared;
+    const auto heap_mb = status_mb("RssAnon:");
+    const auto picture_mb = status_mb("RssShmem:");  // shared with the display
+    if (!heap_mb || !picture_mb) return std::nullopt;
+    return *heap_mb + *picture_mb;
 }
 
 }  // namespace onggi::app

@@ -31,14 +31,6 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
     return name;
 }
 
-// Cases of each of these in the shape; the newer languages, which have no other cases.
-std::vector<Case> in_newer_languages(int width_px, int height_px) {
-    std::vector<Case> cases;
-    for (const char* language : {"ja", "zh-Hans", "de", "fr", "es"})
-        cases.push_back({width_px, height_px, language});
-    return cases;
-}
-
 // One painter for all tests, because finding its fonts takes as long as checking a layout. And one store: the
 // same pots are on the screens of every language.
 class Audit : public testing::TestWithParam<Case> {
@@ -183,6 +175,14 @@ INSTANTIATE_TEST_SUITE_P(Screens, OtherShapes,
                                          Case{1080, 1080, "en"}, Case{2560, 1080, "ar"},
                                          Case{1080, 2560, "en"}),
                          name_of);
+// Cases of each of these in the shape; the newer languages, which have no other cases.
+std::vector<Case> in_newer_languages(int width_px, int height_px) {
+    std::vector<Case> cases;
+    for (const char* language : {"ja", "zh-Hans", "de", "fr", "es"})
+        cases.push_back({width_px, height_px, language});
+    return cases;
+}
+
 INSTANTIATE_TEST_SUITE_P(WideScreens, Audit, testing::ValuesIn(in_newer_languages(1280, 720)), name_of);
 INSTANTIATE_TEST_SUITE_P(TallScreens, OtherShapes, testing::ValuesIn(in_newer_languages(720, 1280)), name_of);
 INSTANTIATE_TEST_SUITE_P(SquareScreens, OtherShapes, testing::ValuesIn(in_newer_languages(1024, 768)),

@@ -12,7 +12,7 @@ constexpr double kFollowS = 0.04;
 constexpr double kRescaleS = 0.2;
 constexpr double kLeastShown = 0.03;  // fraction of a full arrow
 constexpr int kMostLines = 12;
-constexpr int kPoints = 48;
+constexpr int kBeltPoints = 48;
 
 struct Ring {
     double outer_mm = 0.0;
@@ -44,8 +44,8 @@ std::vector<vec2> circle(const Sight& sight, double radius_mm, double y_mm, bool
     const dvec2 front = flat > 0.0 ? dvec2(eye.x, eye.z) / flat : dvec2(0.0, 1.0);
     const dvec2 right(front.y, -front.x);
     std::vector<vec2> line;
-    for (int i = 0; i <= kPoints; ++i) {
-        const double fraction = static_cast<double>(i) / kPoints;
+    for (int i = 0; i <= kBeltPoints; ++i) {
+        const double fraction = static_cast<double>(i) / kBeltPoints;
         const double angle = kPi * (whole ? 2.0 * fraction : 1.0 - fraction);
         const dvec2 at = radius_mm * (std::cos(angle) * right + std::sin(angle) * front);
         const auto px = sight.project({at.x, y_mm, at.y});
