@@ -23,9 +23,6 @@ MAKERS = {
     "sponge": tools.sponge,
     "trimmer": tools.trimmer,
     "wire": tools.wire,
-    "rib_lying": lambda: tools.rib(tools.LYING),
-    "sponge_lying": lambda: tools.sponge(tools.LYING, has_pores=False),
-    "wire_lying": tools.wire_lying,
     "stick": tools.stick,
 }
 

@@ -91,12 +91,13 @@ struct Splashed {
     Splash splash{};
 };
 
-// A tool with a place on the bench, where it is drawn while no hand has it.
+// A tool with a place on the bench.
 struct BenchTool {
     tool::Tool tool = tool::Tool::kRib;
-    ToolModel lying = ToolModel::kRib;
-    ToolModel held = ToolModel::kRib;
-    vec2 target_u{0.0F};   // width and height that a finger can touch, in units of the screens
+    ToolModel model = ToolModel::kRib;
+    vec2 target_u{0.0F};          // width and height that a finger can touch, in units of the screens
+    bool is_photographed = true;  // false: it is drawn while it lies there
+    bool lies_there = true;
     double yaw_rad = 0.0;  // as in placed()
     double lean_rad = 0.0;
 };

@@ -23,19 +23,15 @@ enum class ToolModel : std::size_t {
     kTrimmer,
     kStick,
     kWire,
-    kRibLying,  // with fewer triangles, for the bench, as the next ones
-    kSpongeLying,
-    kWireLying,  // put down on the plane y = 0
-    kCurl,       // a shaving, about its origin, its axis along X
-    kDrop,       // of slip, about its origin
-    kSlip,       // streaks and drops of slip on the wheel head, about the wheel's axis
+    kCurl,  // a shaving, about its origin, its axis along X
+    kDrop,  // of slip, about its origin
+    kSlip,  // streaks and drops of slip on the wheel head, about the wheel's axis
     kCount,
 };
 constexpr std::size_t kToolModels = static_cast<std::size_t>(ToolModel::kCount);
 // The GLB files of the models between kBall and kCurl; the others are built here.
-constexpr std::array<const char*, kToolModels - 4> kToolFiles{
-    "hand_outer", "hand_inner", "rib",       "sponge",       "trimmer",
-    "stick",      "wire",       "rib_lying", "sponge_lying", "wire_lying"};
+constexpr std::array<const char*, kToolModels - 4> kToolFiles{"hand_outer", "hand_inner", "rib", "sponge",
+                                                              "trimmer",    "stick",      "wire"};
 constexpr float kBallRadiusMm = 10.0F;
 
 // Index of a model, or of its mirror image in z for a left hand.

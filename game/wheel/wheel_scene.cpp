@@ -384,20 +384,7 @@ void show_slip(ecs::Registry& registry, FrameContext& context, bool moves_less) 
     });
 }
 
-// Adds the tools of the bench that no hand in this picture has. Call it last.
-void lay_on_bench(ecs::Registry& registry, FrameContext& context) {
-    const auto is_drawn = [&](ToolModel model) {
-        return std::ranges::any_of(context.scene.props, [&](const render::Prop& prop) {
-            return prop.model == library_place(model, false) || prop.model == library_place(model, true);
-        });
-    };
-    registry.each<BenchTool, Transform>([&](ecs::Entity, const BenchTool& tool, const Transform& transform) {
-        if (is_drawn(tool.held)) return;
-        add_prop(context, tool.lying, false, placed(transform.position_mm, tool.yaw_rad, tool.lean_rad));
-    });
-}
-
-// Adds slip, shavings, the wire and the tools on the bench.
+// Adds the tools on the bench, slip, shavings and the wire.
 void show_tools(ecs::Registry& registry, FrameContext& context) {
     bool moves_less = false;
     registry.each<PhotographedRoom>(
@@ -412,6 +399,10 @@ void show_tools(ecs::Registry& registry, FrameContext& context) {
     registry.each<ToolShelf>([&](ecs::Entity, const ToolShelf& shelf) { has_tools = shelf.has_tools(); });
     if (!has_tools) return;
     show_slip(registry, context, moves_less);
+    registry.each<BenchTool, Transform>([&](ecs::Entity, const BenchTool& tool, const Transform& transform) {
+        if (tool.is_photographed || !tool.lies_there) return;
+        add_prop(context, tool.model, false, placed(transform.position_mm, tool.yaw_rad, tool.lean_rad));
+    });
     registry.each<Shaved>([&](ecs::Entity, const Shaved& shaved) {
         for (const mat4& place : shaved.shavings.places())
             add_prop(context, ToolModel::kCurl, false, place);
@@ -422,7 +413,6 @@ void show_tools(ecs::Registry& registry, FrameContext& context) {
         if (const auto height_mm = wire_mm(wire, context))
             add_prop(context, ToolModel::kWire, false, placed({0.0, *height_mm, 0.0}, kAcross, 0.0));
     });
-    lay_on_bench(registry, context);
 }
 
 // The order matters: a cut faces the camera, and the pot's clay sticks to the hands.
@@ -430,30 +420,25 @@ using System = void (*)(ecs::Registry&, FrameContext&);
 constexpr std::array<System, 6> kSystems{show_camera, show_light, show_still_life,
                                          show_pot,    show_hands, show_tools};
 
-// The photographs of assets/workshop have gaps for these tools. The rib leans against the cup.
+// The tools on the bench lie as in assets/workshop/maker/tools.py. The rib, for which the photographs have a
+// gap, leans against the cup.
 struct LyingTool {
     BenchTool tool;
     dvec3 at_mm;
 };
-constexpr std::array kLying{LyingTool{{.tool = tool::Tool::kSponge,
-                                       .lying = ToolModel::kSpongeLying,
-                                       .held = ToolModel::kSponge,
-                                       .target_u = {112.0F, 94.0F},
-                                       .yaw_rad = 0.4,
-                                       .lean_rad = 0.5 * kPi},
-                                      {300.0, -58.0, 45.0}},
-                            LyingTool{{.tool = tool::Tool::kWire,
-                                       .lying = ToolModel::kWireLying,
-                                       .held = ToolModel::kWire,
-                                       .target_u = {250.0F, 78.0F}},
-                                      {-325.0, -58.0, -128.0}},
-                            LyingTool{{.tool = tool::Tool::kRib,
-                                       .lying = ToolModel::kRibLying,
-                                       .held = ToolModel::kRib,
-                                       .target_u = {80.0F, 130.0F},
-                                       .yaw_rad = -0.35,
-                                       .lean_rad = 0.28},
-                                      {268.0, -22.0, -58.0}}};
+constexpr std::array kLying{
+    LyingTool{{.tool = tool::Tool::kSponge, .model = ToolModel::kSponge, .target_u = {112.0F, 94.0F}},
+              {300.0, -45.0, 45.0}},
+    LyingTool{{.tool = tool::Tool::kWire, .model = ToolModel::kWire, .target_u = {250.0F, 78.0F}},
+              {-325.0, -50.0, -128.0}},
+    LyingTool{{.tool = tool::Tool::kRib,
+               .model = ToolModel::kRib,
+               .target_u = {80.0F, 130.0F},
+               .is_photographed = false,
+               .lies_there = false,
+               .yaw_rad = -0.35,
+               .lean_rad = 0.28},
+              {268.0, -22.0, -58.0}}};
 
 }  // namespace
 
@@ -468,6 +453,8 @@ WheelScene::WheelScene(std::shared_ptr<const Workshop> workshop, RoomModel model
     wire_ = make(Wire{});
     shavings_ = make(Shaved{});
     make(Splashed{});
+    for (const LyingTool& lying : kLying)
+        registry_.add(make(lying.tool), Transform{lying.at_mm});
     shelf_ = make(ToolShelf{ball_alone()});
     const ecs::Entity camera = make(throwing_camera());
     make(TimeOfDay{});
@@ -595,12 +582,10 @@ void WheelScene::shave(double shaved_mm3, const dvec3& from_mm) {
     shaved.from_mm = from_mm;
 }
 
-void WheelScene::lay_tools_on_bench() {
-    for (const LyingTool& lying : kLying) {
-        const ecs::Entity entity = registry_.create();
-        registry_.add(entity, lying.tool);
-        registry_.add(entity, Transform{lying.at_mm});
-    }
+void WheelScene::lay_on_bench(tool::Tool tool, bool lies_there) {
+    registry_.each<BenchTool>([&](ecs::Entity, BenchTool& on_bench) {
+        if (on_bench.tool == tool) on_bench.lies_there = lies_there;
+    });
 }
 
 void WheelScene::put_on_wheel(ecs::Entity& entity, const PotApart& pot, const OnWheel& on_wheel) {
@@ -684,7 +669,6 @@ Result<std::unique_ptr<WheelScene>> furnished(const std::filesystem::path& room,
         if (!background) return background.error();
         scene->add_background(camera->name, std::move(*background));
     }
-    if (room.empty()) scene->lay_tools_on_bench();
     return scene;
 }
 

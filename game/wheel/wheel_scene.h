@@ -88,9 +88,8 @@ class WheelScene {
     void hold_wire(const std::optional<double>& height_mm);
     // The volume cut off since the trimmer was picked up, and the place of the cut; 0 removes the shavings.
     void shave(double shaved_mm3, const dvec3& from_mm);
-    // Lays the tools at their places on the bench of the program's own room, where they are drawn while no
-    // hand has them. Call it once.
-    void lay_tools_on_bench();
+    // Whether the tool lies at its place on the bench.
+    void lay_on_bench(tool::Tool tool, bool lies_there);
     // Puts another pot on the wheel (if the entity is not alive), or replaces that entity's pot.
     // registry().destroy() takes it down again.
     void put_on_wheel(ecs::Entity& entity, const PotApart& pot, const OnWheel& on_wheel = {});

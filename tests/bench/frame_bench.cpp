@@ -4,7 +4,7 @@
 //   frame/WxH, frame/WxH/rough      at rest; rough: 150 grooves, of a pixel each at 1280x720
 //   frame/1280x720/view_change, /evening     while another view is made and fades in, while the light changes
 //   frame/WxH/drawn                 while a finger draws on the pot, its new point laid in the same frame
-//   frame/1280x720/trimmed          shavings fly
+//   frame/1280x720/trimmed          shavings fly, the rib lies on the bench
 //   frame_by/...                    by the picture's content and quality
 //   frame_cost/BACKEND/WxH          the device's work for a frame, with the CPU backend and on a GPU's
 //   quality steps; also with a modelled instead of a photographed room frame_parts/1280x720            its

@@ -164,8 +164,10 @@ haptic::Snapshot FrameCase::shown() {
                                     .shown = desc_.with_hands,
                                     .touching = true,
                                     .is_second = true}});
-    if (desc_.is_trimmed)
+    if (desc_.is_trimmed) {
         wheel.shave(wheel::Shavings::kCurlMm3 * static_cast<double>(number_), {wall_mm, height_mm, 0.0});
+        wheel.lay_on_bench(tool::Tool::kRib, true);
+    }
     if (canvas_) wheel.put_on_wheel(on_wheel_, {.pot = &pot_, .marks = &marks_.marks()});
     return {.wheel_direction = {std::cos(angle), std::sin(angle)},
             .wheel_turning = true,

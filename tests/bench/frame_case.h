@@ -27,7 +27,7 @@ struct FrameCaseDesc {
     bool with_text = true;
     bool is_drawn_on = false;  // by a finger through the wet coat, one point per frame
     bool is_modelled = false;  // the room is a model without photographs
-    bool is_trimmed = false;   // shavings fly and lie about
+    bool is_trimmed = false;   // shavings fly and lie about, and the rib is on the bench
     bool measures_parts = false;
     render::QualityStep step = render::QualityStep::kOneCore;
     std::optional<int> sectors{};  // otherwise the quality step's value at this size

@@ -38,22 +38,18 @@ def _grain(points):
     return 0.5 + 0.07 * np.sin(points[:, 1] * 0.55 + 1.4 * np.sin(points[:, 2] * 0.21)) + 0.05 * np.sin(points[:, 1] * 1.7)
 
 
-LYING = 260  # triangles of a tool that lies on the bench, where it is small in the picture
-
-
-def rib(triangles=1100):
+def rib():
     """A kidney of boxwood, its straight edge upright against the wall, its face under the finger tips."""
     kidney = soft_intersection([solid.ball((21, 0, 0), (26, 38, 60)), _box((23, 0, 0), (23, 44, 3.2), 2.4),
                                 lambda p: 12.0 - np.hypot(p[:, 0] - 55.0, p[:, 1])], 3.0)
     tilted = solid.turned(kidney, rotation((0, 1, 0), -55) @ rotation((0, 0, 1), -8))
-    return [skin.part("boxwood", tilted, vector(-20, -60, -45), vector(80, 60, 45), 1.1, triangles, _wet_end(46), _grain)]
+    return [skin.part("boxwood", tilted, vector(-20, -60, -45), vector(80, 60, 45), 1.1, 1100, _wet_end(46), _grain)]
 
 
-def sponge(triangles=1500, has_pores=True):
+def sponge():
     shape = solid.uneven(solid.ball((13, 2, 0), (13.5, 24, 28)), 1.5, 13, 5)
-    if has_pores:
-        shape = solid.uneven(shape, 0.9, 4.5, 6)
-    return [skin.part("sponge", shape, vector(-8, -32, -36), vector(48, 36, 36), 1.2, triangles, _wet_end(34),
+    shape = solid.uneven(shape, 0.9, 4.5, 6)
+    return [skin.part("sponge", shape, vector(-8, -32, -36), vector(48, 36, 36), 1.2, 1500, _wet_end(34),
                       lambda p: 0.5 + 0.10 * np.sin(p[:, 0] * 1.3) * np.sin(p[:, 1] * 1.1) * np.sin(p[:, 2] * 1.2))]
 
 
@@ -90,38 +86,4 @@ def wire():
         toggle = solid.chain([vector(0, -24, side * 194), vector(0, 0, side * 194), vector(0, 24, side * 194)], (5.0, 6.2, 5.0))
         parts.append(skin.part("boxwood", toggle, vector(-9, -33, side * 194 - 9), vector(9, 33, side * 194 + 9), 1.1, 240,
                                lambda p: 0.2 * np.ones(len(p)), _grain))
-    return parts
-
-
-def _tube(line, radius, sides=3):
-    """A part of thin steel along a line of points: too thin for a grid of cells."""
-    along = np.gradient(line, axis=0)
-    along /= np.linalg.norm(along, axis=1)[:, None]
-    side = np.cross(along, (0.0, 1.0, 0.0))
-    side /= np.linalg.norm(side, axis=1)[:, None]
-    up = np.cross(side, along)
-    turns = 2 * np.pi * np.arange(sides) / sides
-    normals = np.cos(turns)[None, :, None] * side[:, None] + np.sin(turns)[None, :, None] * up[:, None]
-    faces = []
-    for k in range(len(line) - 1):
-        for i in range(sides):
-            a, b = k * sides + i, k * sides + (i + 1) % sides
-            faces += [(a, a + sides, b), (b, a + sides, b + sides)]
-    flat = normals.reshape(-1, 3)
-    whole = np.ones(len(flat))
-    return skin.Part("steel", (line[:, None] + radius * normals).reshape(-1, 3), np.array(faces), flat, 0.5 * whole,
-                     0.0 * whole, whole)
-
-
-def wire_lying():
-    """The same wire put down on the plane y = 0: it falls into a loop between its toggles."""
-    t = np.linspace(0.0, 1.0, 33)
-    line = np.stack([-56 + 112 * t + 36 * np.sin(2 * np.pi * t), 2 + 2.5 * t,
-                     -30 + 30 * np.cos(2 * np.pi * t) - 34 * t], axis=1)
-    parts = [_tube(line, 0.8)]
-    for end, turn in ((line[0], 0.5), (line[-1], -1.0)):
-        centre = vector(end[0], 6.2, end[2])
-        arm = 26.0 * vector(np.cos(turn), 0.0, -np.sin(turn))
-        toggle = solid.chain([centre - arm, centre, centre + arm], (5.0, 6.2, 5.0))
-        parts.append(skin.part("boxwood", toggle, centre - 36.0, centre + 36.0, 1.1, 70, None, _grain))
     return parts

@@ -124,6 +124,9 @@ TEST_F(AShaving, IsSeenBesideTheTrimmerAtAPotThatHasDried) {
     EXPECT_EQ(shows(ToolModel::kCurl), 0U);
     scene.shave(3.5 * Shavings::kCurlMm3, {60.0, 80.0, 0.0});
     EXPECT_EQ(shows(ToolModel::kCurl), 3U);
+    EXPECT_EQ(shows(ToolModel::kRib), 0U);
+    scene.lay_on_bench(tool::Tool::kRib, true);
+    EXPECT_EQ(shows(ToolModel::kRib), 1U);
 }
 
 class ASplash : public testing::Test {

@@ -28,9 +28,8 @@ TEST(ToolModels, AreCompleteForBothHands) {
 TEST(ToolModels, TouchTheClayAtTheirOriginAndStayOnTheirSide) {
     const auto library = load_tool_models(test::in_checkout("assets/tools"));
     ASSERT_TRUE(library) << library.error().message;
-    for (const ToolModel tool :
-         {ToolModel::kHandOuter, ToolModel::kHandInner, ToolModel::kRib, ToolModel::kSponge,
-          ToolModel::kTrimmer, ToolModel::kStick, ToolModel::kRibLying, ToolModel::kSpongeLying}) {
+    for (const ToolModel tool : {ToolModel::kHandOuter, ToolModel::kHandInner, ToolModel::kRib,
+                                 ToolModel::kSponge, ToolModel::kTrimmer, ToolModel::kStick}) {
         const render::PropModel& model = (**library)[library_place(tool, false)];
         float leftmost_mm = 1e9F;
         for (const render::Box& box : model.boxes_mm)
@@ -59,17 +58,6 @@ TEST(ToolModels, AreWholeToTheEndsOfTheirHandles) {
     EXPECT_GT(reach_mm(ToolModel::kTrimmer), 155.0F);
     EXPECT_GT(reach_mm(ToolModel::kStick), 290.0F);
     EXPECT_GT(reach_mm(ToolModel::kWire), 190.0F);
-}
-
-TEST(ToolModels, CostLittleWhileTheyLieOnTheBench) {
-    const auto library = load_tool_models(test::in_checkout("assets/tools"));
-    ASSERT_TRUE(library) << library.error().message;
-    std::size_t triangles = 0;
-    for (const ToolModel tool : {ToolModel::kRibLying, ToolModel::kSpongeLying, ToolModel::kWireLying}) {
-        for (const render::PropMesh& mesh : (**library)[library_place(tool, false)].meshes)
-            triangles += mesh.indices.size() / 3;
-    }
-    EXPECT_LT(triangles, 1000U) << "in every frame: all of them less than a rib in the hand";
 }
 
 TEST(ToolModels, HaveNormalsThatFaceAsTheirTrianglesDoAlsoMirrored) {

@@ -194,64 +194,6 @@ TEST_F(TheWheelScene, HoldsTheWireInsteadOfTheHands) {
     EXPECT_EQ(props[1].place[3].y, 120.0F);
 }
 
-class ABench : public TheWheelScene {
-  protected:
-    ABench() {
-        scene_.set_tools(load_tool_models(test::in_checkout("assets/tools")).value());
-        pot_.top_mm = {50.0F, 100.0F, 150.0F, 200.0F};
-        scene_.lay_tools_on_bench();
-    }
-    // The tools in a hand; each tool of the bench must be drawn once, in a hand or on the bench.
-    std::vector<tool::Tool> held() {
-        const render::Scene& scene = show(shown_);
-        const auto drawn = [&](ToolModel model) {
-            return std::ranges::count_if(scene.props, [&](const render::Prop& prop) {
-                return prop.model == library_place(model, false) || prop.model == library_place(model, true);
-            });
-        };
-        std::vector<tool::Tool> in_hand;
-        scene_.registry().each<BenchTool>([&](ecs::Entity, const BenchTool& tool) {
-            EXPECT_EQ(drawn(tool.lying) + drawn(tool.held), 1) << static_cast<int>(tool.tool);
-            if (drawn(tool.held) > 0) in_hand.push_back(tool.tool);
-        });
-        return in_hand;
-    }
-    using Held = std::vector<tool::Tool>;
-};
-
-TEST_F(ABench, HasEachToolThatNoHandHas) {
-    EXPECT_EQ(held(), Held{});
-    for (const double across_mm : {75.0, -75.0}) {
-        shown_.tool.position_mm.x = across_mm;
-        scene_.forget_hands();
-        for (const tool::Tool tool : {tool::Tool::kRib, tool::Tool::kSponge}) {
-            shown_.tool.tool = tool;
-            EXPECT_EQ(held(), Held{tool}) << across_mm;
-        }
-        shown_.tool.tool = tool::Tool::kHand;
-        EXPECT_EQ(held(), Held{});
-    }
-}
-
-TEST_F(ABench, HasNoToolThatAHandLedByTheProgramHas) {
-    std::array<DrawnHand, 2> hands{DrawnHand{.position_mm = {75.0, 90.0, 0.0}, .tool = tool::Tool::kSponge},
-                                   DrawnHand{.shown = false, .is_second = true}};
-    scene_.lead_hands(hands);
-    EXPECT_EQ(held(), Held{tool::Tool::kSponge});
-    hands[0].shown = false;
-    scene_.lead_hands(hands);
-    EXPECT_EQ(held(), Held{});
-}
-
-TEST_F(ABench, HasTheWireUntilItIsHeldOrPulled) {
-    scene_.hold_wire(120.0);
-    EXPECT_EQ(held(), Held{tool::Tool::kWire});
-    scene_.hold_wire(std::nullopt);
-    EXPECT_EQ(held(), Held{});
-    shown_.tool.wire = tool::Wire::kCutOff;
-    EXPECT_EQ(held(), Held{tool::Tool::kWire});
-}
-
 TEST_F(TheWheelScene, HasSlipThatTurnsWithTheHeadUnderWetClay) {
     scene_.set_tools(load_tool_models(test::in_checkout("assets/tools")).value());
     scene_.show_hands(false);

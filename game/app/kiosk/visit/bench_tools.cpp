@@ -5,14 +5,28 @@
 #include "game/screens/page/layout.h"
 
 namespace onggi::app {
+namespace {
+
+// Whether the scene is the program's own photographed room. A museum's room has another bench.
+bool has_bench(const VisitParts& parts) {
+    return parts.settings.config.screen.room.empty() &&
+           parts.view.project_framed(wheel::View::kThrowing, {}, dvec3(0.0)).has_value();
+}
+
+}  // namespace
+
+bool rib_lies_there(const VisitParts& parts, const kiosk::State& state) {
+    return state.throwing.held != tool::Tool::kRib && has_bench(parts);
+}
+
 std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk::State& state) {
     std::vector<screens::BenchTool> tools;
-    if (state.throwing.looks_in) return tools;
+    if (state.throwing.looks_in || !has_bench(parts)) return tools;
     wheel::LiveView& view = parts.view;
     const float px_per_u = screens::px_per_u_of(view.width(), view.height());
     view.scene().registry().each<wheel::BenchTool, wheel::Transform>(
         [&](ecs::Entity, const wheel::BenchTool& tool, const wheel::Transform& transform) {
-            if (tool.tool == state.throwing.held) return;
+            if (tool.tool == tool::Tool::kRib && !rib_lies_there(parts, state)) return;
             const auto px = view.project(transform.position_mm);
             if (px) tools.push_back({tool.tool, glm::round(vec2(*px)), tool.target_u * px_per_u});
         });

@@ -9,8 +9,11 @@
 
 namespace onggi::app {
 
-// The places in the picture of the tools that are not held, each large enough for a finger; empty in the view
-// from above, which does not show the bench, and in a museum's room, which has another bench.
+// Whether the rib is drawn on the bench: while it is not held. The other tools are in the photographs.
+[[nodiscard]] bool rib_lies_there(const VisitParts& parts, const kiosk::State& state);
+
+// The tools' places in the picture, each large enough for a finger; empty in the view from above, which does
+// not show the bench.
 [[nodiscard]] std::vector<screens::BenchTool> bench_tools(const VisitParts& parts, const kiosk::State& state);
 
 // A finger that taps slips by less, in units of the screens.

@@ -150,6 +150,7 @@ Result<void> KioskVisit::draw(const VisitMoment& moment, double since_drawn_s) {
     stage_.turn(composer.turned());
     wheel::WheelScene& wheel_scene = parts_.view.scene();
     wheel_scene.hold_wire(wheel_.finger().wire_mm());
+    wheel_scene.lay_on_bench(tool::Tool::kRib, rib_lies_there(parts_, state_));
     wheel_scene.show_hands(wheel_.shows() || visit::finger_is_hand(state_));
     drawing_.show(wheel_scene);
     jar_.show(wheel_scene, moment.snapshot);
