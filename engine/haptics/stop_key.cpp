@@ -17,7 +17,8 @@ namespace onggi::haptics {
 namespace {
 
 constexpr std::array<std::uint16_t, 2> kStopKeys{KEY_PAUSE, KEY_STOP};
-constexpr int kWaitMs = 100;  // a key ends the wait; otherwise the thread can end then
+constexpr int kWaitMs =
+    100;  // a key press ends the wait at once; in between, the thread looks whether it shall end
 constexpr std::size_t kMostKeyboards = 16;
 
 bool has_a_stop_key(int file) {

@@ -5,7 +5,7 @@
 // counts as absent, and later the force returns through the ramp.
 //
 // While no device is plugged in that could push, the loop ticks in bursts (rest()), and the thread checks
-// every 8 ms. A device that is plugged in meets a ramp from no force, which takes longer.
+// every 8 ms. The force of a device that is plugged in ramps up from none, which takes longer than that.
 //
 // The timeout is 5 ms (SAFETY.md). The thread checks every ms, on the other cores, with real-time priority if
 // granted; without it the kernel may delay it by some ms. A USB device receives it with its next packet: HID

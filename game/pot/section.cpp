@@ -72,8 +72,8 @@ std::shared_ptr<const OffRound> off_round_of(const clay::studio::Rings& rings, d
     const auto in_steps = [&](double mm) {
         return static_cast<float>(std::round(mm * scale * kPerMm) / kPerMm);
     };
-    OffRound map;
     if (rings.count == 0) return nullptr;
+    OffRound map;
     float most_mm = 0.0F;
     for (int row = 0; row < kCentreRows; ++row) {
         const dvec2 centre = centre_at(rings, rings.top_mm() * row / (kCentreRows - 1));

@@ -28,7 +28,7 @@ std::string size_of(const Page& page, const Exhibit& exhibit) {
     return page.measure(whole(exhibit.height_mm) + " \u00d7 " + whole(exhibit.diameter_mm), "unit.mm");
 }
 
-// Fits the words of a card into its most size; the last line is the pot's size.
+// Fits the words of a card into the largest size that it may have; the last line is the pot's size.
 FittedLines card_words(Page& page, const Choice& choice, vec2 card) {
     const bool free = choice.exhibit == nullptr;
     std::vector<Words> lines{
