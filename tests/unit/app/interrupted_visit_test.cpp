@@ -169,9 +169,13 @@ TEST_F(InterruptedVisit, IsDroppedWithALineIfNoBlockIsIntact) {
         const Recovered found = recover(state_);
         EXPECT_FALSE(found.pot);
         ASSERT_EQ(found.remarks.size(), 1U);
-        EXPECT_TRUE(found.remarks[0].starts_with("interrupted visit: dropped: ")) << found.remarks[0];
+        const std::string kept = (state_ / "dropped.onggi").string();
+        EXPECT_TRUE(found.remarks[0].starts_with("interrupted visit: dropped, kept as " + kept + ": "))
+            << found.remarks[0];
         EXPECT_EQ(found.remarks[0].find('\n'), std::string::npos);
-        EXPECT_TRUE(fs::is_empty(state_)) << "and it is not met a second time";
+        EXPECT_EQ(test::content_of(kept), bytes);
+        EXPECT_EQ(list_folder(state_).entries.size(), 1U) << "in place of an earlier one";
+        EXPECT_TRUE(recover(state_).remarks.empty()) << "and it is not met a second time";
     }
 }
 
@@ -212,9 +216,35 @@ TEST_F(InterruptedVisit, IsDroppedWhereTheWheelIsAnother) {
     const Recovered found = recover(state_, 2.0 * kRateHz);
     EXPECT_FALSE(found.pot);
     ASSERT_EQ(found.remarks.size(), 1U);
-    EXPECT_NE(found.remarks[0].find("rate of 1000 Hz of this kiosk, found others at 500 Hz"),
-              std::string::npos)
+    EXPECT_NE(found.remarks[0].find("expected this kiosk's rate of 1000 Hz, found 500 Hz"), std::string::npos)
         << found.remarks[0];
+    EXPECT_FALSE(fs::exists(state_ / "left-over.onggi"));
+    EXPECT_TRUE(fs::exists(state_ / "dropped.onggi"));
+}
+
+TEST_F(InterruptedVisit, IsDroppedWhereTheClayIsAnother) {
+    visit_.throw_until(2100);
+    haptic::HapticState other = test::studio_start();
+    ++other.ticks;
+    std::vector<std::string> remarks;
+    EXPECT_FALSE(InterruptedSession::find(state_, other, parameters_at(kRateHz), remarks));
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_NE(remarks[0].find("expected this kiosk's lump and parameters, found others: "), std::string::npos)
+        << remarks[0];
+    EXPECT_TRUE(fs::exists(state_ / "dropped.onggi"));
+}
+
+TEST_F(InterruptedVisit, OfALaterProgramStaysForIt) {
+    visit_.throw_until(2100);
+    const fs::path journal = folder_ / "state/visit-2.onggi.part";
+    std::string bytes = test::content_of(journal);
+    ++bytes[record::kMagic.size()];  // the major version follows
+    test::put_file(journal, bytes);
+    const Recovered found = recover(state_);
+    EXPECT_FALSE(found.pot);
+    ASSERT_EQ(found.remarks.size(), 1U);
+    EXPECT_NE(found.remarks[0].find("version"), std::string::npos) << found.remarks[0];
+    EXPECT_EQ(test::content_of(state_ / "dropped.onggi"), bytes);
 }
 
 TEST_F(InterruptedVisit, GivesUpWithOneLineIfTheFolderIsNotWritable) {

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kJournalPrefix = "visit-";
 constexpr const char* kSpillFile = "left-over.onggi";
+constexpr const char* kDroppedFile = "dropped.onggi";
 
 struct Found {
     fs::path file;
@@ -42,12 +43,17 @@ Result<record::Session> session_of(const fs::path& file, const haptic::HapticSta
     if (!bytes) return bytes.error();
     auto session = record::parse_session(std::move(*bytes), file.string(), record::Damage::kCutThere);
     if (!session) return session;
+    if (session->header().rate_hz != parameters.rate_hz()) {
+        return bad_input(fmt::format("{}: expected this kiosk's rate of {} Hz, found {} Hz", file.string(),
+                                     parameters.rate_hz(), session->header().rate_hz));
+    }
     const auto found = session->start_state();
     if (session->header() != haptic::session_header({start, parameters}) ||
         !std::equal(found.begin(), found.end(), expected.begin(), expected.end())) {
         return bad_input(
-            fmt::format("{}: expected the clay and the rate of {} Hz of this kiosk, found others at {} Hz",
-                        file.string(), parameters.rate_hz(), session->header().rate_hz));
+            fmt::format("{}: expected this kiosk's lump and parameters, found others: another "
+                        "version of the program, or other settings of the clay",
+                        file.string()));
     }
     return session;
 }
@@ -60,6 +66,7 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
                                                              std::vector<std::string>& remarks) {
     // There are several files if the program died while it rewrote the journal: the longest is complete.
     Found longest;
+    std::vector<fs::path> dropped;
     const FolderListing listing = list_folder(folder);
     // One that was not listed or could not be read may be the longest, and is there at the next start.
     bool knows_all = listing.is_whole();
@@ -74,7 +81,11 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
         if (!session) {
             const bool is_damaged = session.error().kind == ErrorKind::kBadInput;
             knows_all = knows_all && is_damaged;
-            remarks.push_back(std::string("interrupted visit: ") + (is_damaged ? "dropped: " : "not read: ") +
+            if (is_damaged) dropped.push_back(file);
+            remarks.push_back(std::string("interrupted visit: ") +
+                              (is_damaged
+                                   ? fmt::format("dropped, kept as {}: ", (folder / kDroppedFile).string())
+                                   : std::string("not read: ")) +
                               session.error().message);
             continue;
         }
@@ -87,6 +98,8 @@ std::unique_ptr<InterruptedSession> InterruptedSession::find(const fs::path& fol
     }
     std::erase(others, longest.file);
     if (knows_all) {
+        for (const fs::path& file : dropped)
+            fs::rename(file, folder / kDroppedFile, ignored);
         for (const fs::path& file : others)
             fs::remove(file, ignored);
     }
@@ -121,13 +134,18 @@ Result<bool> InterruptedSession::work(int ticks) {
         const bool ends_block = played_ == block.first_tick + block.tick_count;
         if (ends_block && history_.state().hash() != block.state_hash) {
             return failed(
-                fmt::format("interrupted visit: dropped: at tick {} expected the recorded clay, found "
-                            "another, as from another version of the program",
-                            played_));
+                fmt::format("interrupted visit: dropped, kept as {}: at tick {} expected the recorded clay, "
+                            "found another, as from another version of the program",
+                            (folder_ / kDroppedFile).string(), played_));
         }
     }
     if (played_ == session_->tick_count()) session_.reset();
     return session_.has_value();
+}
+
+void InterruptedSession::set_aside(const fs::path& folder) noexcept {
+    std::error_code ignored;
+    fs::rename(folder / kSpillFile, folder / kDroppedFile, ignored);
 }
 
 void InterruptedSession::remove(const fs::path& folder) noexcept {

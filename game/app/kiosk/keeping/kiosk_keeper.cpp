@@ -144,7 +144,10 @@ bool KioskKeeper::work_out_interrupted_session() {
                                      interrupted_session_->seconds())});
         return false;
     }
-    if (!more) complain(more.error().message);
+    if (!more) {
+        complain(more.error().message);
+        InterruptedSession::set_aside(visits_);
+    }
     remove_interrupted_session();
     return false;
 }
