@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Tests that full screen covers the display, with RandR and on a server without it, where GLFW places the window off
-# the display (findings/glfw-full-screen-is-off-the-display-without-randr.sh): full_screen.sh ONGGI FOLDER. F11 must cover the display and restore the window, twice; `--full-screen` must
-# cover it from the start.
+# Tests that full screen covers the display: full_screen.sh ONGGI FOLDER. Servers: with RandR; without it, where GLFW
+# places the window off the display (findings/glfw-full-screen-is-off-the-display-without-randr.sh); without shared
+# memory, where the driver sends the pictures. F11 must cover the display and restore the window, twice;
+# `--full-screen` must cover it from the start, with a picture.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/display.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/waiting.sh"
@@ -18,6 +19,11 @@ is_at() { [ "$(geometry)" = "$1" ]; }
 # expect GEOMETRY WHAT: waits until the window is there.
 expect() {
     within 600 "$2" is_at "$1" || fail "$server_kind: expected $2 at $1, found $(geometry)"
+}
+# Whether the lower half of the display is drawn: most of its bytes are not zero.
+is_drawn() {
+    local half=$((960 * 540 * 2))
+    [ "$(tail -c "$half" "$server_kind/Xvfb_screen0" | tr -d '\0' | wc -c)" -gt $((half / 2)) ]
 }
 # start_kiosk OPTION...
 start_kiosk() {
@@ -48,6 +54,7 @@ covers() {
     end_kiosk
     start_kiosk --full-screen
     expect "$covered" "the full screen"
+    within 600 "a picture" is_drawn || fail "$server_kind: expected a picture, found a black display"
     end_kiosk
     kill "$server"
     wait "$server" 2>/dev/null || true
@@ -55,4 +62,5 @@ covers() {
 listen_for_life
 covers with_randr
 covers without_randr -extension RANDR
+covers without_shared_memory -extension MIT-SHM
 echo "a full screen covers the display"
