@@ -24,7 +24,7 @@ upgrade_between_two_halves_of_a_visit() {
     local pots settings package
     mkdir -p "$root/tmp/later"
     for package in "$packages"/onggi*.deb; do make_later "$package" "$root/tmp/later/$(basename "$package")"; done
-    bash "$here/visit.sh" begin "$build" "$root" "$folder/first_half"
+    TURNED=1 bash "$here/visit.sh" begin "$build" "$root" "$folder/first_half"
     pots=$(pots_sum)
     settings=$(sha256sum <"$root/etc/onggi/kiosk.toml")
     echo '# the museum'"'"'s own' >>"$root/etc/security/limits.d/70-onggi.conf"
@@ -38,7 +38,7 @@ upgrade_between_two_halves_of_a_visit() {
     in_root systemctl is-enabled onggi-kiosk >/dev/null || fail "expected the wheel to start with the machine"
     [ "$pots" = "$(pots_sum)" ] || fail "expected the pots to stay"
     echo "settings, limits and pots are as they were"
-    bash "$here/visit.sh" resume "$build" "$root" "$folder/second_half"
+    TURNED=1 bash "$here/visit.sh" resume "$build" "$root" "$folder/second_half"
     # A disabled service stays disabled.
     in_root systemctl disable -q onggi-kiosk
     in_root dpkg -i "/tmp/later/$(basename "$root"/tmp/later/onggi-kiosk_*.deb)" >"$folder/again.log" 2>&1

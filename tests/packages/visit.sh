@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# A visitor at the installed kiosk, which runs in its root under cage on wlroots' headless back end, as the
-# unit starts and stops it. The visitor's own tools stay outside: they reach Xwayland by its abstract socket.
+# A visitor by a finger at the installed kiosk, which runs in its root under cage, as the unit starts and stops it. cage's
+# screen is a window on a display with a touch screen (1024x768, the default of wlroots). Display and visitor stay outside
+# the root: cage and the visitor's tools reach their X servers by abstract sockets. TURNED: the panel is mounted on its side.
 # visit.sh keep|begin|resume BUILD ROOT FOLDER: keep: up to a kept pot; begin: until the clay is open, then
 # stops the service; resume: continues from there.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 what=$1 build=$2 root=$3
 source "$here/root.sh"
+source "$here/../support/display.sh"
 
 # The display that the compositor gave the kiosk; there is one in this namespace. A process may end during the
 # search.
@@ -26,8 +28,8 @@ open_installed() {
     in_root install -d -o onggi -g onggi -m 0700 /run/onggi
     owner=$(in_root id -u onggi)
     chown "$owner" .
-    (as_service NOTIFY_SOCKET="$NOTIFY_SOCKET" WATCHDOG_USEC="$WATCHDOG_USEC" WLR_BACKENDS=headless \
-        WLR_LIBINPUT_NO_DEVICES=1 WLR_RENDERER=pixman /usr/lib/onggi/kiosk start) >>kiosk.log 2>&1 &
+    (as_service NOTIFY_SOCKET="$NOTIFY_SOCKET" WATCHDOG_USEC="$WATCHDOG_USEC" DISPLAY="$panel" WLR_BACKENDS=x11 \
+        WLR_RENDERER=pixman ONGGI_QUARTER_TURNS="${TURNED:-0}" /usr/lib/onggi/kiosk start) >>kiosk.log 2>&1 &
     kiosk=$!
     ln -sfn "$root/var/lib/onggi/gallery" gallery
     wait_for "display" has_display
@@ -62,10 +64,14 @@ as_owner() { setpriv --reuid="$owner" --regid="$owner" --clear-groups "$@"; }
 xdotool() { as_owner xdotool "$@"; }
 ! command -v import >/dev/null || import() { as_owner import "$@"; }
 
-export CAGED=1
+mkdir -p "$4-desk"
+open_touch_display "$4-desk" 1024x768
+panel=$DISPLAY panel_server=$server
+export CAGED=1 TOUCH_SCREEN=../$(basename "$4")-desk/touch-screen
 OPENS=open_installed ENDS=end_installed
-set -- installed_onggi "$build/tests" "$4" mouse en
+set -- installed_onggi "$build/tests" "$4" touch en "$([ -n "${TURNED:-}" ] && echo 768x1024 || echo 1024x768)"
 source "$here/../window/visitor.sh"
+server=$panel_server  # visitor.sh ends it
 case $what in
 keep)
     begin_visit

@@ -43,7 +43,10 @@ constexpr Tolerances kSameDriver{};
 constexpr Tolerances kOtherDriver{.delta_limit = 5, .bad_fraction = 1e-3, .mean_delta = 255.0};
 
 struct GateOptions {
-    std::filesystem::path golden_folder;  // NAME.png and NAME.json
+    // NAME.png and NAME.json. A picture that another release of Mesa draws otherwise, such as words that its
+    // suite of Debian shapes otherwise, lies beside it in lavapipe-MAJOR.MINOR; each release stores its
+    // pictures there.
+    std::filesystem::path golden_folder;
     std::filesystem::path output_folder;  // NAME.{actual,expected,diff}.png of what failed
     bool strict = false;                  // another driver's differences fail, too
     bool in_ci = false;

@@ -22,7 +22,7 @@ const RenderInfo kLavapipe{"llvmpipe", "Mesa 22.3.6", "Mesa 22.3.6 (LLVM 15.0.6)
 class ImageGate : public testing::Test {
   protected:
     ImageGate() {
-        options_.golden_folder = folder_ / "golden";
+        options_.golden_folder = folder_ / "lavapipe-22.3";
         options_.output_folder = folder_ / "out";
         options_.dirty_paths = [] { return Result<std::string>(std::string()); };
     }
@@ -187,6 +187,18 @@ TEST_F(ImageGate, OnAnotherDriverReportsAndFailsOnlyIfStrict) {
     options_.strict = true;
     EXPECT_FALSE(check(shifted, other));
     EXPECT_TRUE(check(draw_pot({.light = 0.99}), other)) << "within 5/255";
+}
+
+TEST_F(ImageGate, HoldsAnotherReleaseToItsOwnPictureWhereThereIsOne) {
+    bless(pot());
+    const RenderInfo later{"llvmpipe", "Mesa 25.0.7-2 (LLVM 19.1.7)", "Mesa 25.0.7-2 (LLVM 19.1.7)",
+                           kLavapipe.state_hash};
+    const Image shifted = draw_pot({.shift_px = 1.0});
+    bless(shifted, later);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "lavapipe-25.0/vase.png"));
+    EXPECT_TRUE(check(pot())) << "the first release has its own";
+    EXPECT_TRUE(check(shifted, later));
+    EXPECT_FALSE(check(pot(), later)) << "by the limits of one driver";
 }
 
 TEST_F(ImageGate, StoresOnlyTheNamedScenes) {
