@@ -11,8 +11,8 @@ export async function makeOutbox(program, session, folder, options = []) {
 /** Films a session as FOLDER/film.webp and film.mp4, with its drawing as pot.svg; gives the options for makeOutbox. */
 export async function makeFilm(onggi, session, folder) {
     const files = { film: `${folder}/film.webp`, mp4: `${folder}/film.mp4`, drawing: `${folder}/pot.svg` };
-    await promisify(execFile)(onggi, ['film', session, '--out', files.film, '--mp4', files.mp4, '--drawing', files.drawing,
-        '--glaze', 'celadon', '--quick', '--seconds', '2']);
+    await promisify(execFile)(onggi, ['film', session, '--out', files.film, '--mp4', files.mp4, '--glaze', 'celadon', '--quick', '--seconds', '2']);
+    await promisify(execFile)(onggi, ['replay', session, '--drawing', files.drawing, '--fired', 'glaze']);
     return Object.entries(files).flatMap(([name, file]) => [`--${name}`, file]);
 }
 
