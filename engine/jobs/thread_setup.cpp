@@ -52,11 +52,6 @@ cpu_set_t mask_of(std::span<const int> cores) {
     return mask;
 }
 
-Granted allow_this_thread(std::span<const int> cores) {
-    const cpu_set_t mask = mask_of(cores);
-    return outcome(pthread_setaffinity_np(pthread_self(), sizeof mask, &mask));
-}
-
 // The program itself, which the loader calls by no name, the kernel's page of code, and the libraries whose
 // code runs in a tick.
 bool may_run_in_a_tick(std::string_view library) {
@@ -104,6 +99,11 @@ void drop_fonts() {
 }
 
 }  // namespace
+
+Granted keep_this_thread_on(std::span<const int> cores) {
+    const cpu_set_t mask = mask_of(cores);
+    return outcome(pthread_setaffinity_np(pthread_self(), sizeof mask, &mask));
+}
 
 Granted ask_for_fifo(int priority) {
     sched_param parameter{};
@@ -169,7 +169,7 @@ Granted keep_this_thread_off_haptic_core(const CoreChoice& choice) {
         constexpr int kKeepWhatIsSet = 0;
         setenv("LP_NUM_THREADS", "0", kKeepWhatIsSet);
     }
-    return allow_this_thread(choice.others);
+    return keep_this_thread_on(choice.others);
 }
 
 Granted keep_all_threads_off_haptic_core(const CoreChoice& choice) {
@@ -227,7 +227,7 @@ void give_back_code() {
 RealTimeReport set_up_this_thread(const RealTimeRequest& request) {
     RealTimeReport report;
     report.core = request.core;
-    if (request.core.core >= 0) report.pinning = allow_this_thread(std::span(&request.core.core, 1));
+    if (request.core.core >= 0) report.pinning = keep_this_thread_on(std::span(&request.core.core, 1));
     touch_stack();
     if (request.lock_memory) report.memory_lock = lock_memory();
     report.fifo = ask_for_fifo(request.fifo_priority);

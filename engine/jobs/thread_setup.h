@@ -43,6 +43,9 @@ Granted keep_this_thread_off_haptic_core(const CoreChoice& choice);
 // priority and cannot delay the haptic thread. A thread that ends meanwhile is not a refusal.
 Granted keep_all_threads_off_haptic_core(const CoreChoice& choice);
 
+// Restricts the calling thread to these cores.
+Granted keep_this_thread_on(std::span<const int> cores);
+
 // Keeps idle cores out of deep sleep states, from which they wake slowly, as cyclictest does. Affects the
 // whole machine while the object lives. On a virtual machine it made no measurable difference: the host
 // decides.

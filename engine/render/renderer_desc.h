@@ -7,6 +7,10 @@
 #include "engine/render/byte_order.h"
 #include "engine/vk/vulkan.h"
 
+namespace onggi::jobs {
+class SharedLoop;
+}
+
 namespace onggi::render {
 
 constexpr int kMaxRings = 256;
@@ -40,7 +44,9 @@ struct RendererDesc {
     bool draws_hidden_faces = false;  // kCpu only, hands and tools: for tests
     // KVulkan only, draws the lathe's back faces as a flipped winding would: for tests.
     bool inside_out = false;
-    bool measures_parts = false;     // fills in FrameStats::parts; costs a software device a few per cent
+    bool measures_parts = false;  // fills in FrameStats::parts; costs a software device a few per cent
+    // A second thread for large pictures; must outlive the renderer. Null: none. kCpu only.
+    jobs::SharedLoop* loop = nullptr;
     HostClock host_clock = nullptr;  // measures the host's parts; null: they are omitted
 
     friend bool operator==(const RendererDesc&, const RendererDesc&) = default;

@@ -172,6 +172,7 @@ Result<void> LiveScreen::make_renderer() {
         render::quality_desc(ladder_.step(), target().format(), static_cast<int>(extent().height));
     desc.measures_parts = measures_parts_;
     desc.host_clock = jobs::ThreadClock::now_ns;
+    if (desc.backend == render::Backend::kCpu) desc.loop = &loop_;
     auto made = render::Renderer::create(*device_, desc);
     if (!made) return made.error();
     renderer_ = std::move(*made);
@@ -326,6 +327,11 @@ bool LiveScreen::wait_for_display() {
     else
         beat_.was_not_told(jobs::MonotonicClock::now_ns());
     return shown && *shown;
+}
+
+Result<void> LiveScreen::share_drawing(std::span<const int> cores) {
+    if (class_ != render::DeviceClass::kSoftware) return {};
+    return loop_.start(cores, "picture");
 }
 
 void LiveScreen::resize(window::Size size) {

@@ -5,11 +5,13 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/core/result.h"
 #include "engine/jobs/frame_pacer.h"
+#include "engine/jobs/shared_loop.h"
 #include "engine/render/quality.h"
 #ifdef ONGGI_SHADER_RELOAD
 #include "engine/render/shader_reload.h"
@@ -54,6 +56,10 @@ class LiveScreen {
     // as are drawn: then it is the frame clock. Returns false if it is not, or on timeout.
     bool wait_for_display();
 
+    // Starts a second thread, on these cores, that shares the drawing of large pictures on a software device.
+    // Does nothing if there is no core. Error: the thread cannot start.
+    Result<void> share_drawing(std::span<const int> cores);
+
     void resize(window::Size size);
     [[nodiscard]] VkExtent2D extent() const { return target().extent(); }
     [[nodiscard]] const vk::Device& device() const { return *device_; }
@@ -94,6 +100,7 @@ class LiveScreen {
     Result<bool> draw_once(const render::Scene& scene, const render::Overlay* overlay);
     Result<bool> mend(const Error& error, const render::Scene& scene, const render::Overlay* overlay);
 
+    jobs::SharedLoop loop_;  // outlives the renderer
     window::Window* window_;
     LiveScreenOptions options_;
     render::QualityLadder ladder_;

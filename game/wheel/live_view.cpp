@@ -253,6 +253,9 @@ std::string LiveView::quality_note() const {
 double LiveView::frame_rate_hz() const {
     return impl_->screen->frame_rate_hz();
 }
+Result<void> LiveView::share_drawing(std::span<const int> cores) {
+    return impl_->screen->share_drawing(cores);
+}
 bool LiveView::wait_for_display() {
     return impl_->screen->wait_for_display();
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,6 +82,9 @@ class LiveView {
     // Sways the camera slowly from side to side while the wheel is idle. Needs the photographed room, and a
     // device that is fast enough for a moving camera, which a software device is not.
     void sway(bool sways);
+
+    // Shares the drawing of large pictures with a second thread on these cores, see LiveScreen.
+    Result<void> share_drawing(std::span<const int> cores);
 
     // Waits until the last frame has left the device; its duration is known only then.
     Result<void> wait();

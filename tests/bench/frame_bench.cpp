@@ -3,6 +3,7 @@
 // onggi_bench --benchmark_filter=frame
 //   frame/WxH, frame/WxH/rough      at rest; rough: 150 grooves, of a pixel each at 1280x720
 //   frame/1280x720/view_change, /evening     while another view is made and fades in, while the light changes
+//   frame/WxH/two_threads           a second thread, on the last core, draws half of a large picture
 //   frame/WxH/drawn                 while a finger draws on the pot, its new point laid in the same frame
 //   frame/1280x720/trimmed          shavings fly, the rib lies on the bench
 //   frame_by/...                    by the picture's content and quality
@@ -20,11 +21,16 @@
 #include <utility>
 
 #include "engine/jobs/histogram.h"
+#include "engine/jobs/thread_setup.h"
 #include "tests/bench/bench_failure.h"
 #include "tests/bench/frame_case.h"
 
 namespace onggi::bench {
 namespace {
+
+int last_core() {
+    return jobs::choose_haptic_core().core;
+}
 
 // Advances the scene before each frame; whether a frame counts is known after it is drawn.
 struct Motion {
@@ -99,8 +105,8 @@ Motion dimming() {
 }
 
 // The least time of each part.
-void frame_parts(benchmark::State& state) {
-    auto opened = FrameCase::open({.measures_parts = true});
+void frame_parts(benchmark::State& state, const FrameCaseDesc& desc) {
+    auto opened = FrameCase::open(desc);
     if (!opened) return fail(state, opened.error().message.c_str());
     std::map<std::string, double> least_ms;
     for ([[maybe_unused]] auto iteration : state) {
@@ -122,7 +128,15 @@ void frame_parts(benchmark::State& state) {
     for (const auto& [name, value] : least_ms)
         state.counters[name] = value;
 }
-BENCHMARK(frame_parts)->Name("frame_parts/1280x720")->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frame_parts, small, {.measures_parts = true})
+    ->Name("frame_parts/1280x720")
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frame_parts, large,
+                  {.width = 3840, .height = 2160, .measures_parts = true, .second_thread_on = last_core()})
+    ->Name("frame_parts/3840x2160/two_threads")
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 const bool added = [] {
     constexpr int kGrooves = 150;
@@ -136,6 +150,11 @@ const bool added = [] {
     add("frame/1920x1080", {.width = 1920, .height = 1080});
     add("frame/1920x1080/view_change", {.width = 1920, .height = 1080}, changing_view());
     add("frame/1920x1080/rough", {.width = 1920, .height = 1080, .grooves = kGrooves});
+    for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}, {2560, 1440}, {3840, 2160}}) {
+        if (height > 1080) add(fmt::format("frame/{}x{}", width, height), {.width = width, .height = height});
+        add(fmt::format("frame/{}x{}/two_threads", width, height),
+            {.width = width, .height = height, .second_thread_on = last_core()});
+    }
     for (const auto& [backend, step] : {std::pair{"cpu", render::QualityStep::kOneCore},
                                         {"gpu_half", render::QualityStep::kSlowestGpu},
                                         {"gpu", render::QualityStep::kIntegratedGpu},

@@ -61,6 +61,11 @@ Result<void> FrameCase::create() {
     render::RendererDesc desc = render::quality_desc(desc_.step, vk::Offscreen::kFormat, desc_.height);
     desc.measures_parts = desc_.measures_parts;
     desc.host_clock = jobs::ThreadClock::now_ns;
+    if (desc_.second_thread_on >= 0) {
+        if (auto started = loop_.start(std::span(&desc_.second_thread_on, 1), "picture"); !started)
+            return started;
+        desc.loop = &loop_;
+    }
     desc.sectors = desc_.sectors.value_or(desc.sectors);
     desc.max_rings = desc_.max_rings.value_or(desc.max_rings);
     auto renderer = render::Renderer::create(*device_, desc);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/jobs/shared_loop.h"
 #include "engine/render/quality.h"
 #include "engine/ui/atlas.h"
 #include "engine/ui/draw_list.h"
@@ -29,6 +30,7 @@ struct FrameCaseDesc {
     bool is_modelled = false;  // the room is a model without photographs
     bool is_trimmed = false;   // shavings fly and lie about, and the rib is on the bench
     bool measures_parts = false;
+    int second_thread_on = -1;  // the core of a second drawing thread; -1: none
     render::QualityStep step = render::QualityStep::kOneCore;
     std::optional<int> sectors{};  // otherwise the quality step's value at this size
     std::optional<int> max_rings{};
@@ -67,6 +69,7 @@ class FrameCase {
     [[nodiscard]] haptic::Snapshot shown();
 
     FrameCaseDesc desc_;
+    jobs::SharedLoop loop_;
     std::unique_ptr<vk::Instance> instance_;
     std::unique_ptr<vk::Device> device_;
     std::unique_ptr<vk::Offscreen> target_;

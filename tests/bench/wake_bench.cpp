@@ -1,6 +1,7 @@
 // wake_latency: how late the haptic tick starts with and without a renderer beside it, alternating every
 // second within one run. The studio's clay at 1 kHz on the last core as the program runs it (SCHED_FIFO where
-// the kernel grants it), the whole picture at 60 Hz on the others.
+// the kernel grants it), the whole picture at 60 Hz on the others; in a third turn a picture of 3840x2160, of
+// which a second thread draws half on the haptic core itself.
 //   onggi_bench --benchmark_filter=wake_latency      (not under taskset: it needs both cores)
 #include <benchmark/benchmark.h>
 
@@ -25,7 +26,7 @@ constexpr int kTurns = 6;
 
 struct Beside {
     const char* name;
-    bool with_picture;
+    FrameCase* picture;  // null: none
     jobs::Histogram p50_ns{};
     jobs::Histogram p99_ns{};
     std::uint64_t longest_ns = 0;
@@ -33,7 +34,7 @@ struct Beside {
 };
 
 // One second of the job, beside frames or sleeps at the same rate.
-Result<void> take_turn(Beside& beside, FrameCase& picture, const jobs::CoreChoice& core, bool& has_fifo) {
+Result<void> take_turn(Beside& beside, const jobs::CoreChoice& core, bool& has_fifo) {
     haptic::HapticJobOptions options;
     options.real_time.core = core;
     haptic::HapticJob job(test::studio_start(), {}, std::make_unique<test::StudioHand>(kRateHz), options);
@@ -44,8 +45,8 @@ Result<void> take_turn(Beside& beside, FrameCase& picture, const jobs::CoreChoic
     for (int frame = 0; frame < kFramesATurn; ++frame) {
         pacer.wait();
         static_cast<void>(job.newest_snapshot());
-        if (beside.with_picture) {
-            if (auto drawn = picture.frame(); !drawn) return drawn.error();
+        if (beside.picture != nullptr) {
+            if (auto drawn = beside.picture->frame(); !drawn) return drawn.error();
         }
         pacer.finish();
         haptic::TickRecord record;
@@ -68,13 +69,16 @@ void wake_latency(benchmark::State& state) {
     static_cast<void>(jobs::keep_this_thread_off_haptic_core(core));
     auto picture = FrameCase::open({});
     if (!picture) return fail(state, picture.error().message.c_str());
-    Beside beside[]{{.name = "alone", .with_picture = false},
-                    {.name = "beside frames", .with_picture = true}};
+    auto large = FrameCase::open({.width = 3840, .height = 2160, .second_thread_on = core.core});
+    if (!large) return fail(state, large.error().message.c_str());
+    Beside beside[]{{.name = "alone", .picture = nullptr},
+                    {.name = "beside frames", .picture = picture->get()},
+                    {.name = "beside 4K on its core", .picture = large->get()}};
     bool has_fifo = false;
     for ([[maybe_unused]] auto iteration : state) {
         for (int turn = 0; turn < kTurns; ++turn) {
             for (Beside& one : beside) {
-                if (auto taken = take_turn(one, **picture, core, has_fifo); !taken)
+                if (auto taken = take_turn(one, core, has_fifo); !taken)
                     return fail(state, taken.error().message.c_str());
             }
         }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/jobs/shared_loop.h"
 #include "engine/render/quality.h"
 #include "engine/render/renderer.h"
 #include "engine/vk/offscreen.h"
@@ -100,6 +101,43 @@ TEST_F(HeldPicture, ShowsNoTraceOfEarlierFrames) {
     for (int frame = 0; frame < 3; ++frame)
         draw(*fresh, *other, 0.0, 300.0F);
     EXPECT_LE(furthest(held->read_back().value(), other->read_back().value()), kMaskStep);
+}
+
+// Large enough for a second thread to share it; the pot is cut at the right border, where a block of pixels
+// would reach into the next band. The other view fades in, and the light changes.
+TEST_F(HeldPicture, IsTheSameByTwoThreads) {
+    constexpr int kLargeWidth = 2560;
+    constexpr int kLargeHeight = 1440;
+    jobs::SharedLoop loop;
+    const int any_core = jobs::choose_haptic_core().core;
+    ASSERT_TRUE(loop.start(std::span(&any_core, 1), "picture"));
+    const auto make = [&](jobs::SharedLoop* own) {
+        render::RendererDesc desc = render::live_desc(vk::Offscreen::kFormat, true, kLargeHeight);
+        desc.loop = own;
+        return render::Renderer::create(*device_, desc).value();
+    };
+    const auto alone = make(nullptr);
+    const auto shared = make(&loop);
+    const VkExtent2D size{kLargeWidth, kLargeHeight};
+    const auto one = vk::Offscreen::create(*device_, size).value();
+    const auto other = vk::Offscreen::create(*device_, size).value();
+    opened_ = wheel::open_scene({}, kLargeWidth, kLargeHeight);
+    opened_.scene->jump();
+    for (int frame = 0; frame < 30; ++frame) {
+        GoldenScene shown = pulling_;
+        shown.tool_position_mm.y += frame;
+        if (frame == 4) opened_.scene->look_at(wheel::View::kLookingIn);
+        render::Scene scene =
+            opened_.scene->apply(shown.shown(*opened_.scene), kLargeWidth, kLargeHeight, 1.0 / 60.0);
+        if (frame > 26) scene.camera.lens_shift.x = 0.95F;
+        const auto by_one = alone->draw(scene, *one, nullptr);
+        const auto by_two = shared->draw(scene, *other, nullptr);
+        ASSERT_TRUE(by_one && *by_one && by_two && *by_two);
+        ASSERT_TRUE(one->wait() && other->wait());
+        if (shared->stats().next_view_ready) opened_.scene->next_view_is_ready();
+        if (frame % 3 != 2) continue;
+        ASSERT_EQ(one->read_back().value(), other->read_back().value()) << frame;
+    }
 }
 
 TEST_F(HeldPicture, IsRedrawnWhereAnotherRendererHasDrawn) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "engine/render/cpu/picture_bands.h"
 #include "engine/render/frame/still_meshes.h"
 #include "engine/render/pixels/mix_pixels.h"
 #include "engine/render/pixels/prop_pixels.h"
@@ -13,21 +15,21 @@
 
 namespace onggi::render {
 
-void CrossFade::begin(const TileGrid& grid, const HostPicture& last, const KeptView::Lent& lent) {
-    grid_ = grid;
+void CrossFade::begin(const FrameContext& frame, const HostPicture& last, const KeptView::Lent& lent) {
+    grid_ = {static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
     before_ = &lent.first;
     mixed_ = &lent.second;
-    for_parts(last, grid_, wanted_, rects_, [&](const vk::Buffer& part, const PixelRect& rect) {
+    for_parts(frame, last, grid_, wanted_, rects_, [&](const vk::Buffer& part, const PixelRect& rect) {
         if (&part == before_) return;
         copy_rect(part.as<const std::uint32_t>(), rect, static_cast<std::size_t>(grid_.width_px),
                   before_->as<std::uint32_t>());
     });
 }
 
-void CrossFade::mix(const HostPicture& now, float fraction, TileNumbers& numbers) {
+void CrossFade::mix(const FrameContext& frame, const HostPicture& now, float fraction, TileNumbers& numbers) {
     const auto before = before_->as<const std::uint32_t>();
     const auto into = mixed_->as<std::uint32_t>();
-    for_parts(now, grid_, wanted_, rects_, [&](const vk::Buffer& part, const PixelRect& rect) {
+    for_parts(frame, now, grid_, wanted_, rects_, [&](const vk::Buffer& part, const PixelRect& rect) {
         mix_pixels(before, part.as<const std::uint32_t>(), fraction, rect, grid_.width_px, into);
     });
     numbers_.assign(grid_.count(), numbers.next());
@@ -49,7 +51,7 @@ Result<void> RestingScene::fit(const FrameContext& frame) {
 Result<void> RestingScene::keep(const FrameContext& frame, const HostPicture& scene, TileNumbers& numbers) {
     if (is_here_) return {};
     if (auto fitted = fit(frame); !fitted) return fitted;
-    copy_whole(scene, grid_, picture_.as<std::uint32_t>());
+    copy_whole(frame, scene, grid_, picture_.as<std::uint32_t>());
     numbers_.assign(grid_.count(), numbers.next());
     is_here_ = true;
     return {};
@@ -88,17 +90,20 @@ void HostMoving::place(FrameContext& frame, const Scene& scene, const PropModels
     const TileGrid grid{static_cast<int>(frame.extent.width), static_cast<int>(frame.extent.height)};
     built.prop_tiles.assign(grid.count(), 0);
     corners_.clear();
-    parts_.clear();
+    indices_.clear();
     const PropView view{built.frame, built.samples, byte_order(frame.desc.colour_format)};
-    models.for_parts(scene,
-                     [&](const Prop& prop, std::size_t number, std::span<const std::uint32_t> indices) {
-                         if (indices.empty()) return;
-                         const PropMesh& mesh = (*scene.prop_library)[prop.model].meshes[number];
-                         const std::size_t first = corners_.size();
-                         light_corners(mesh, indices, prop, view, corners_);
-                         parts_.push_back({first, mesh.vertices.size(), indices});
-                         want_triangles(corners_of(parts_.back()), indices, grid, built.prop_tiles);
-                     });
+    models.for_parts(
+        scene, [&](const Prop& prop, std::size_t number, std::span<const std::uint32_t> indices) {
+            if (indices.empty()) return;
+            const PropMesh& mesh = (*scene.prop_library)[prop.model].meshes[number];
+            const std::size_t first = indices_.size();
+            std::transform(indices.begin(), indices.end(), std::back_inserter(indices_),
+                           [of = static_cast<std::uint32_t>(corners_.size())](std::uint32_t index) {
+                               return of + index;
+                           });
+            light_corners(mesh, indices, prop, view, corners_);
+            want_triangles(corners_, std::span(indices_).subspan(first), grid, built.prop_tiles);
+        });
     place_section(std::span(built.vertices).subspan(built.section_first, built.section_count), built.frame,
                   section_corners_);
     if (built.faces.indices.empty()) return;
@@ -111,15 +116,15 @@ void HostMoving::place(FrameContext& frame, const Scene& scene, const PropModels
                   built.faces.indices, lathe_corners_);
 }
 
-void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
+void HostMoving::draw(const FrameContext& frame, const Triangles& triangles,
+                      const PictureCanvas& canvas) const {
     // A lathe pixel costs several times a hand's pixel, so hands are drawn first and hide what need not be
     // shaded.
-    for (const Part& part : parts_)
-        draw_triangles(corners_of(part), part.indices, canvas);
+    draw_triangles(corners_, triangles.props, canvas);
     const BuiltFrame& built = frame.built;
     const ByteOrder order = byte_order(frame.desc.colour_format);
-    if (!built.faces.indices.empty()) {
-        draw_lathe(lathe_corners_, built.faces.indices, built.faces.plain,
+    if (!triangles.lathe.empty()) {
+        draw_lathe(lathe_corners_, triangles.lathe, triangles.plain,
                    {.frame = built.frame,
                     .draw = built.lathe,
                     .normals = built.normals,
@@ -133,28 +138,58 @@ void HostMoving::draw(const FrameContext& frame, const PictureCanvas& canvas) {
     }
     draw_section(section_corners_,
                  {.colour = vec3(built.section.dry), .shows_load = built.shows_load, .order = order}, canvas);
-    const PixelRect& moving = built.moving;
-    edges_.smooth(built.edges, {moving.x + 1, moving.y + 1, moving.width - 2, moving.height - 2}, canvas);
 }
 
-// Copies the kept view's pixels and depth to the moving tiles.
-void HostMoving::copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
-                            std::span<const float> depth, const PictureCanvas& canvas) {
-    const TileGrid grid{canvas.size.width, canvas.size.height};
-    const std::size_t width = frame.extent.width;
-    rects_of_tiles(grid, frame.built.moving_tiles, rects_);
-    for (const PixelRect& rect : rects_) {
-        copy_rect(pixels, rect, width, canvas.pixels);
-        copy_rect(depth, rect, width, canvas.depth);
+void HostMoving::sort_into_bands(const FrameContext& frame) {
+    const int height = static_cast<int>(frame.extent.height);
+    bands_.resize(static_cast<std::size_t>(band_count(frame)));
+    for (Band& band : bands_) {
+        band.props.clear();
+        band.lathe.clear();
     }
+    const auto add_three = [](const auto& indices, std::size_t first, auto& into) {
+        into.insert(into.end(), {indices[first], indices[first + 1], indices[first + 2]});
+    };
+    for_bands_of_triangles(
+        std::span<const PropCorner>(corners_), std::span<const std::uint32_t>(indices_), height,
+        [&](std::size_t band, std::size_t first) { add_three(indices_, first, bands_[band].props); });
+    const std::span<const std::uint16_t> lathe = frame.built.faces.indices;
+    const std::size_t plain = frame.built.faces.plain;
+    const auto sort_lathe = [&](std::span<const std::uint16_t> some) {
+        for_bands_of_triangles(
+            std::span<const LatheCorner>(lathe_corners_), some, height,
+            [&](std::size_t band, std::size_t first) { add_three(some, first, bands_[band].lathe); });
+    };
+    sort_lathe(lathe.first(plain));
+    for (Band& band : bands_)
+        band.plain = band.lathe.size();
+    sort_lathe(lathe.subspan(plain));
 }
 
 Result<void> HostMoving::draw_over(const FrameContext& frame, std::span<const std::uint32_t> pixels,
                                    std::span<const float> depth) {
     if (auto fitted = canvas_.fit(frame, "still life with what moves"); !fitted) return fitted;
     const PictureCanvas canvas = canvas_.canvas();
-    copy_under(frame, pixels, depth, canvas);
-    draw(frame, canvas);
+    const BuiltFrame& built = frame.built;
+    const bool is_shared = band_count(frame) > 1;
+    if (is_shared) sort_into_bands(frame);
+    rects_of_tiles({canvas.size.width, canvas.size.height}, built.moving_tiles, rects_);
+    for_bands(frame, [&](int number, const RowSpan& rows) {
+        PictureCanvas own = canvas;
+        own.rows = rows;
+        for (const PixelRect& rect : rects_) {
+            copy_rect(pixels, within(rect, rows), frame.extent.width, canvas.pixels);
+            copy_rect(depth, within(rect, rows), frame.extent.width, canvas.depth);
+        }
+        if (is_shared) {
+            const Band& band = bands_[static_cast<std::size_t>(number)];
+            draw(frame, {band.props, band.lathe, band.plain}, own);
+        } else {
+            draw(frame, {indices_, built.faces.indices, built.faces.plain}, own);
+        }
+    });
+    const PixelRect& moving = built.moving;
+    edges_.smooth(built.edges, {moving.x + 1, moving.y + 1, moving.width - 2, moving.height - 2}, canvas);
     return {};
 }
 
@@ -265,8 +300,7 @@ void CpuBackend::change_view(const Scene& scene) {
     if (is_made) std::swap(shown_, next_);
     if (!scene.fade_in || !has_picture_) return;
     const HostPicture last = fade_.is_on() ? fade_.picture() : picture_of(is_made ? next_ : shown_);
-    const TileGrid grid{static_cast<int>(frame_.extent.width), static_cast<int>(frame_.extent.height)};
-    fade_.begin(grid, last, next_.lend());
+    fade_.begin(frame_, last, next_.lend());
 }
 
 Result<void> CpuBackend::make_next_view(const Scene& scene) {
@@ -302,7 +336,7 @@ Result<HostPicture> CpuBackend::make(const Scene& scene) {
     }
     if (fade_.is_on()) {
         frame_.clock.enter_host("fade");
-        fade_.mix(picture_of(shown_), *scene.fade_in, numbers_);
+        fade_.mix(frame_, picture_of(shown_), *scene.fade_in, numbers_);
     }
     frame_.clock.end_host();
     has_picture_ = true;

@@ -31,13 +31,13 @@ class CrossFade {
   public:
     // Begins a fade from `last`, which is copied to lent.first (tiles may be there already). That memory must
     // stay in place until end().
-    void begin(const TileGrid& grid, const HostPicture& last, const KeptView::Lent& lent);
+    void begin(const FrameContext& frame, const HostPicture& last, const KeptView::Lent& lent);
     void end() { before_ = mixed_ = nullptr; }
     [[nodiscard]] bool is_on() const { return mixed_ != nullptr; }
 
     // Mixes `now` over the old picture with weight `fraction`, 0 to 1. Precondition: is_on(). The device is
     // idle.
-    void mix(const HostPicture& now, float fraction, TileNumbers& numbers);
+    void mix(const FrameContext& frame, const HostPicture& now, float fraction, TileNumbers& numbers);
     // The mixed picture.
     [[nodiscard]] HostPicture picture() const { return {*mixed_, numbers_}; }
 
@@ -102,21 +102,24 @@ class HostMoving {
     [[nodiscard]] const vk::Buffer& picture() const { return canvas_.picture(); }
 
   private:
-    void draw(const FrameContext& frame, const PictureCanvas& canvas);
-    void copy_under(const FrameContext& frame, std::span<const std::uint32_t> pixels,
-                    std::span<const float> depth, const PictureCanvas& canvas);
-
-    struct Part {
-        std::size_t first_corner = 0;
-        std::size_t corner_count = 0;
-        std::span<const std::uint32_t> indices;  // owned by the models
+    // Triangles in the order in which they are drawn.
+    struct Triangles {
+        std::span<const std::uint32_t> props;
+        std::span<const std::uint16_t> lathe;
+        std::size_t plain = 0;  // see draw_lathe()
     };
-    [[nodiscard]] std::span<const PropCorner> corners_of(const Part& part) const {
-        return std::span(corners_).subspan(part.first_corner, part.corner_count);
-    }
+    // The triangles that a band touches.
+    struct Band {
+        std::vector<std::uint32_t> props;
+        std::vector<std::uint16_t> lathe;
+        std::size_t plain = 0;
+    };
+    void draw(const FrameContext& frame, const Triangles& triangles, const PictureCanvas& canvas) const;
+    void sort_into_bands(const FrameContext& frame);
 
     std::vector<PropCorner> corners_;
-    std::vector<Part> parts_;
+    std::vector<std::uint32_t> indices_;  // of the corners of all props
+    std::vector<Band> bands_;
     std::vector<std::uint32_t> streaks_;  // see LatheLook
     StreakSize streak_size_;
     std::vector<LatheCorner> lathe_corners_;

@@ -110,10 +110,11 @@ void end_copies(const FrameContext& frame, const vk::TargetImage& target) {
 
 }  // namespace
 
-void copy_whole(const HostPicture& picture, const TileGrid& grid, std::span<std::uint32_t> into) {
+void copy_whole(const FrameContext& frame, const HostPicture& picture, const TileGrid& grid,
+                std::span<std::uint32_t> into) {
     std::vector<std::uint8_t> wanted;
     std::vector<PixelRect> rects;
-    for_parts(picture, grid, wanted, rects, [&](const vk::Buffer& part, const PixelRect& rect) {
+    for_parts(frame, picture, grid, wanted, rects, [&](const vk::Buffer& part, const PixelRect& rect) {
         copy_rect(part.as<const std::uint32_t>(), rect, static_cast<std::size_t>(grid.width_px), into);
     });
 }

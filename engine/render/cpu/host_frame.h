@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/render/cpu/picture_bands.h"
 #include "engine/render/frame/frame_context.h"
 #include "engine/render/overlay.h"
 #include "engine/render/pixels/overlay_paint.h"
@@ -94,26 +95,32 @@ struct HostPicture {
     std::span<const std::uint8_t> instead_on{};
 };
 
-// Calls `visit` with each of the two pictures and the rectangles where it is visible. `wanted` and `rects`
-// are scratch memory.
+// Calls `visit` with each of the two pictures and disjoint rectangles where it is visible, on either thread
+// of for_bands(). `wanted` and `rects` are scratch memory.
 template <typename Visit>
-void for_parts(const HostPicture& picture, const TileGrid& grid, std::vector<std::uint8_t>& wanted,
-               std::vector<PixelRect>& rects, Visit visit) {
+void for_parts(const FrameContext& frame, const HostPicture& picture, const TileGrid& grid,
+               std::vector<std::uint8_t>& wanted, std::vector<PixelRect>& rects, Visit visit) {
+    const auto visit_all = [&](const vk::Buffer& pixels) {
+        for_bands(frame, [&](int, const RowSpan& rows) {
+            for (const PixelRect& rect : rects) {
+                if (const PixelRect part = within(rect, rows); part.height > 0) visit(pixels, part);
+            }
+        });
+    };
     wanted.assign(grid.count(), 1);
     if (picture.instead != nullptr) {
         for (std::size_t tile = 0; tile < wanted.size(); ++tile)
             wanted[tile] = picture.instead_on[tile] == 0 ? 1 : 0;
         rects_of_tiles(grid, picture.instead_on, rects);
-        for (const PixelRect& rect : rects)
-            visit(*picture.instead, rect);
+        visit_all(*picture.instead);
     }
     rects_of_tiles(grid, wanted, rects);
-    for (const PixelRect& rect : rects)
-        visit(picture.pixels, rect);
+    visit_all(picture.pixels);
 }
 
 // Merges both pictures into one, as large as the frame.
-void copy_whole(const HostPicture& picture, const TileGrid& grid, std::span<std::uint32_t> into);
+void copy_whole(const FrameContext& frame, const HostPicture& picture, const TileGrid& grid,
+                std::span<std::uint32_t> into);
 
 class HostFrame {
   public:

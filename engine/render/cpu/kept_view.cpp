@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/render/cpu/picture_bands.h"
 #include "engine/render/frame/pipelines.h"
 #include "engine/render/frame/still_meshes.h"
 #include "engine/render/scene.h"
@@ -137,8 +138,13 @@ bool HostShade::shade(const FrameContext& frame, const Scene& scene, const Shade
         note_light(scene.levels);
     }
     tiles_.take(numbers.next(), rects_);
-    shade_pixels(layers, *mask_, shade_light(scene.levels, frame.desc.colour_format), rects_,
-                 shaded_.as<std::uint32_t>());
+    const ShadeLight light = shade_light(scene.levels, frame.desc.colour_format);
+    for_bands(frame, [&](int, const RowSpan& rows) {
+        for (const PixelRect& rect : rects_) {
+            const PixelRect part = within(rect, rows);
+            if (part.height > 0) shade_pixels(layers, *mask_, light, {&part, 1}, shaded_.as<std::uint32_t>());
+        }
+    });
     edges_.smooth(*mask_, rects_, shaded_.as<std::uint32_t>());
     return is_another;
 }

@@ -566,20 +566,27 @@ struct Growth {
 template <Pot kPot>
 [[gnu::always_inline]] inline void add(const Growth& growth, int x, int end, int y, const LatheLook& look,
                                        const PictureCanvas& canvas, Queue& queue) {
-    const std::ptrdiff_t wanted = static_cast<std::ptrdiff_t>(y) * canvas.size.width + x;
-    const std::ptrdiff_t at =
-        std::min(wanted, static_cast<std::ptrdiff_t>(canvas.pixels.size()) - std::ptrdiff_t{kFloat8});
-    const int early = static_cast<int>(wanted - at);  // pixels of the block before `x`
-    const int count = std::min(end - x + early, kFloat8);
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * canvas.size.width + x;
+    const int count = std::min(end - x, kFloat8);
     alignas(32) std::array<float, value::kCount> first;
-    growth.find(x - early, y, first);
+    growth.find(x, y, first);
     const Float8 here = first[value::kDepth] + growth.along[value::kDepth];
-    Float8 depth;
-    std::memcpy(&depth, canvas.depth.data() + at, sizeof depth);
-    const Int8 is_drawn = (here <= depth) & (kFirst8 >= early) & (kFirst8 < count);
+    // A block that would reach beyond the canvas's rows has only its own pixels' depth.
+    float* const depths = canvas.depth.data() + at;
+    const bool is_whole = at + kFloat8 <= canvas.end();
+    const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(float);
+    Float8 depth{};
+    if (is_whole) [[likely]]
+        std::memcpy(&depth, depths, sizeof depth);
+    else
+        std::memcpy(&depth, depths, bytes);
+    const Int8 is_drawn = (here <= depth) & (kFirst8 < count);
     if (!any(is_drawn)) return;
     depth = is_drawn ? here : depth;
-    std::memcpy(canvas.depth.data() + at, &depth, sizeof depth);
+    if (is_whole) [[likely]]
+        std::memcpy(depths, &depth, sizeof depth);
+    else
+        std::memcpy(depths, &depth, bytes);
     const std::size_t before = queue.count;
     const Int8 places = is_drawn ? kFirst8 + (static_cast<int>(at) | growth.level) : Int8{} - 1;
     std::memcpy(queue.at.data() + before, &places, sizeof places);
@@ -598,11 +605,11 @@ template <Pot kPot>
 [[gnu::always_inline]] inline void draw_triangle(const Shape<value::kCount>& shape, float area,
                                                  const LatheLook& look, Reach& reach,
                                                  const PictureCanvas& canvas, Queue& queue) {
-    shapes::find_reach(shape, false, canvas.size, reach);
+    shapes::find_reach(shape, false, reach);
     const Growth growth(shape, area);
     for (int y = reach.top; y < reach.end; ++y) {
-        const int left = reach.left[static_cast<std::size_t>(y)];
-        const int end = reach.right[static_cast<std::size_t>(y)];
+        const int left = reach.left(y);
+        const int end = reach.right(y);
         if (end <= left) continue;
         shapes::fetch_ahead(canvas, left, y);
         for (int x = left; x < end; x += kFloat8) {
@@ -634,7 +641,7 @@ template <Pot kPot>
 ONGGI_WIDE_VECTORS void draw_all(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
                                  std::size_t plain, const LatheLook& look, const PictureCanvas& canvas) {
     if (canvas.pixels.size() < kFloat8) return;
-    Reach reach(canvas.size);
+    Reach reach(canvas);
     if (look.shows_load) {
         draw_some<Pot::kWithLoad>(corners, indices, look, reach, canvas);
         return;

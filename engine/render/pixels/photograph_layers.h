@@ -7,14 +7,9 @@
 
 #include "engine/math/math.h"
 #include "engine/render/pixels/host_photograph.h"
+#include "engine/render/shapes/tiles.h"
 
 namespace onggi::render {
-
-// Rows of a picture, from the top.
-struct RowSpan {
-    int first = 0;
-    int end = 0;  // one after the last row
-};
 
 // Fills these rows of both layers, which are `width` pixels wide without gaps; the alphas of `without_key`
 // are kept. The pixel's centre * window.xy + window.zw is the position in the photographs, 0 to 1. Outside

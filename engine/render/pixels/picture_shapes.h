@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/math/math.h"
+#include "engine/render/shapes/tiles.h"
 
 namespace onggi::render {
 
@@ -26,6 +27,12 @@ struct PictureCanvas {
     PictureSize size;
     std::span<std::uint32_t> pixels;  // alpha highest
     std::span<float> depth;           // depth buffer, in the device's format
+    // Only these rows are drawn and read, so that threads may draw to other rows meanwhile. A pixel's bits do
+    // not depend on them.
+    RowSpan rows{0, size.height};
+
+    // One after the last pixel of the rows.
+    [[nodiscard]] std::ptrdiff_t end() const { return std::ptrdiff_t{rows.end} * size.width; }
 };
 
 // A vertex of a shape, with the values that are interpolated between vertices.
@@ -61,11 +68,18 @@ constexpr int kOne = 65536;
 
 // Horizontal extent of a shape in each line of the picture; only lines top to end are valid.
 struct Reach {
-    explicit Reach(const PictureSize& size)
-        : left(static_cast<std::size_t>(size.height)),
-          right(static_cast<std::size_t>(size.height)) {}
-    std::vector<int> left;
-    std::vector<int> right;
+    explicit Reach(const PictureCanvas& canvas)
+        : size(canvas.size),
+          rows(canvas.rows),
+          left_of(static_cast<std::size_t>(rows.end - rows.first)),
+          right_of(left_of.size()) {}
+    [[nodiscard]] int left(int y) const { return left_of[static_cast<std::size_t>(y - rows.first)]; }
+    [[nodiscard]] int right(int y) const { return right_of[static_cast<std::size_t>(y - rows.first)]; }
+
+    PictureSize size;
+    RowSpan rows;  // of the canvas; the first entries below are of its first row
+    std::vector<int> left_of;
+    std::vector<int> right_of;
     int top = 0;
     int end = 0;
 };
@@ -104,26 +118,29 @@ struct Shape {
 
 // Computes where an edge crosses the centres of lines. Both shapes at an edge get the same result, so no
 // pixel is skipped or drawn twice between them.
-[[gnu::always_inline]] inline void walk(vec2 from, vec2 to, const PictureSize& size, std::vector<int>& into) {
-    const int end = first_pixel(to.y, size.height);
-    int y = first_pixel(from.y, size.height);
+[[gnu::always_inline]] inline void walk(vec2 from, vec2 to, const PictureSize& size, const RowSpan& rows,
+                                        std::vector<int>& into) {
+    const int end = std::min(first_pixel(to.y, size.height), rows.end);
+    const int top = first_pixel(from.y, size.height);
+    int y = std::max(top, rows.first);
     if (y >= end) return;
     const float lean = (to.x - from.x) / (to.y - from.y);
-    const float first = from.x + (static_cast<float>(y) + 0.5F - from.y) * lean;
+    const float first = from.x + (static_cast<float>(top) + 0.5F - from.y) * lean;
     constexpr float kMost = 1e9F;
     const auto in_fixed = [&](float px) {
         return static_cast<std::int64_t>(std::clamp(px, -kMost, kMost) * static_cast<float>(kOne));
     };
     const std::int64_t step = in_fixed(lean);
     const std::int64_t most = size.width;
-    for (std::int64_t x = in_fixed(first) + kOne / 2 - 1; y < end; ++y, x += step)
-        into[static_cast<std::size_t>(y)] = static_cast<int>(std::clamp(x >> 16, std::int64_t{0}, most));
+    // Counted from the edge's own first line, so that the rows do not change the result.
+    for (std::int64_t x = in_fixed(first) + kOne / 2 - 1 + (y - top) * step; y < end; ++y, x += step)
+        into[static_cast<std::size_t>(y - rows.first)] =
+            static_cast<int>(std::clamp(x >> 16, std::int64_t{0}, most));
 }
 
 // Computes the lines that a shape covers, and its extent in each.
 template <std::size_t kValues>
-[[gnu::always_inline]] inline void find_reach(const Shape<kValues>& shape, bool is_clockwise,
-                                              const PictureSize& size, Reach& reach) {
+[[gnu::always_inline]] inline void find_reach(const Shape<kValues>& shape, bool is_clockwise, Reach& reach) {
     float top = shape.corners[0]->at_px.y;
     float low = top;
     for (std::size_t i = 0; i < shape.count; ++i) {
@@ -132,11 +149,13 @@ template <std::size_t kValues>
         top = std::min(top, from.y);
         low = std::max(low, from.y);
         // Clockwise: an edge that goes down is on the right.
-        if (from.y < to.y) walk(from, to, size, is_clockwise ? reach.right : reach.left);
-        if (to.y < from.y) walk(to, from, size, is_clockwise ? reach.left : reach.right);
+        if (from.y < to.y)
+            walk(from, to, reach.size, reach.rows, is_clockwise ? reach.right_of : reach.left_of);
+        if (to.y < from.y)
+            walk(to, from, reach.size, reach.rows, is_clockwise ? reach.left_of : reach.right_of);
     }
-    reach.top = first_pixel(top, size.height);
-    reach.end = first_pixel(low, size.height);
+    reach.top = std::max(first_pixel(top, reach.size.height), reach.rows.first);
+    reach.end = std::min(first_pixel(low, reach.size.height), reach.rows.end);
 }
 
 // Computes the gradients from the first three corners.

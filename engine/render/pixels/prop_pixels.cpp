@@ -35,7 +35,7 @@ using shapes::Slope;
 // Draws a row of a shape from pixel `first` on. Pixels of a block outside the row are written back unchanged.
 [[gnu::always_inline]] inline void draw_row(const std::array<Slope, 4>& slopes, std::ptrdiff_t first,
                                             int count, const PictureCanvas& canvas) {
-    const auto last = static_cast<std::ptrdiff_t>(canvas.pixels.size()) - kFloat8;
+    const std::ptrdiff_t last = canvas.end() - kFloat8;
     for (std::ptrdiff_t block = first; block < first + count; block += kFloat8) {
         const std::ptrdiff_t at = std::min(block, last);
         const Int8 numbers = kFirst8 + static_cast<int>(at - first);
@@ -60,8 +60,8 @@ using shapes::Slope;
 [[gnu::always_inline]] inline void draw(const Shape<3>& shape, const Reach& reach,
                                         const PictureCanvas& canvas) {
     for (int y = reach.top; y < reach.end; ++y) {
-        const int left = reach.left[static_cast<std::size_t>(y)];
-        const int count = reach.right[static_cast<std::size_t>(y)] - left;
+        const int left = reach.left(y);
+        const int count = reach.right(y) - left;
         if (count <= 0) continue;
         shapes::fetch_ahead(canvas, left, y);
         draw_row({shape.slope(0, left, y), shape.slope(1, left, y), shape.slope(2, left, y),
@@ -83,7 +83,7 @@ std::array<const PropCorner*, 3> triangle(std::span<const PropCorner> corners,
 ONGGI_WIDE_VECTORS void draw_all(std::span<const PropCorner> corners, std::span<const std::uint32_t> indices,
                                  const PictureCanvas& canvas) {
     if (canvas.pixels.size() < kFloat8) return;
-    Reach reach(canvas.size);
+    Reach reach(canvas);
     Shape<3> shape;
     for (std::size_t first = 0; first + 2 < indices.size(); first += 3) {
         const auto own = triangle(corners, indices, first);
@@ -91,7 +91,7 @@ ONGGI_WIDE_VECTORS void draw_all(std::span<const PropCorner> corners, std::span<
         shape.corners = {own[0], own[1], own[2], nullptr};
         const float area = shapes::area_of(own[0]->at_px, own[1]->at_px, own[2]->at_px);
         if (std::abs(area) < shapes::kNoArea) continue;
-        shapes::find_reach(shape, area > 0.0F, canvas.size, reach);
+        shapes::find_reach(shape, area > 0.0F, reach);
         if (reach.top >= reach.end) continue;
         shapes::find_slopes(shape, area);
         draw(shape, reach, canvas);

@@ -72,11 +72,11 @@ struct Pixels {
 
 void draw(const Shape<value::kCount>& shape, const Reach& reach, const SectionLook& look,
           const PictureCanvas& canvas) {
-    const auto last = static_cast<std::ptrdiff_t>(canvas.pixels.size()) - kFloat8;
+    const std::ptrdiff_t last = canvas.end() - kFloat8;
     std::array<Slope, value::kCount + 1> slopes;
     for (int y = reach.top; y < reach.end; ++y) {
-        const int left = reach.left[static_cast<std::size_t>(y)];
-        const int count = reach.right[static_cast<std::size_t>(y)] - left;
+        const int left = reach.left(y);
+        const int count = reach.right(y) - left;
         const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * canvas.size.width + left;
         for (std::size_t number = 0; number < slopes.size(); ++number)
             slopes[number] = shape.slope(number, left, y);
@@ -122,7 +122,7 @@ void place_section(std::span<const shaders::VertexData> vertices, const shaders:
 void draw_section(std::span<const SectionCorner> corners, const SectionLook& look,
                   const PictureCanvas& canvas) {
     if (canvas.pixels.size() < kFloat8) return;
-    Reach reach(canvas.size);
+    Reach reach(canvas);
     Shape<value::kCount> shape;
     for (std::size_t first = 0; first + 2 < corners.size(); first += 3) {
         const std::span<const SectionCorner> own = corners.subspan(first, 3);
@@ -131,7 +131,7 @@ void draw_section(std::span<const SectionCorner> corners, const SectionLook& loo
         if (std::abs(area) < shapes::kNoArea) continue;
         shape.corners = {&own[0], &own[1], &own[2], nullptr};
         shapes::find_slopes(shape, area);
-        shapes::find_reach(shape, area > 0.0F, canvas.size, reach);
+        shapes::find_reach(shape, area > 0.0F, reach);
         draw(shape, reach, look, canvas);
     }
 }

@@ -21,6 +21,18 @@ struct PixelRect {
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
+// Rows of a picture, from the top.
+struct RowSpan {
+    int first = 0;
+    int end = 0;  // one after the last row
+};
+
+// The part of a rectangle in these rows; empty if there is none.
+[[nodiscard]] constexpr PixelRect within(const PixelRect& rect, const RowSpan& rows) {
+    const int top = std::max(rect.y, rows.first);
+    return {rect.x, top, rect.width, std::max(std::min(rect.y + rect.height, rows.end) - top, 0)};
+}
+
 constexpr int kTileWidthPx = 32;
 constexpr int kTileHeightPx = 8;
 

@@ -10,6 +10,7 @@
 
 #include "engine/jobs/clock.h"
 #include "engine/jobs/frame_pacer.h"
+#include "engine/jobs/shared_loop.h"
 #include "engine/jobs/thread_setup.h"
 #include "game/app/command_line/commands.h"
 #include "game/app/command_line/live_loop.h"
@@ -146,6 +147,15 @@ void warn_of_lacks(const KioskSettings& settings, const wheel::LiveView& view) {
         warn(lack);
 }
 
+// Returns whether the haptic thread will have real-time priority, which decides where a second thread may
+// draw.
+bool share_drawing(wheel::LiveView& view, const jobs::RealTimeRequest& request) {
+    const bool is_real_time = jobs::probe_real_time(request).fifo.grant == jobs::Grant::kGranted;
+    const std::vector<int> cores = jobs::cores_of_second_thread(request.core, is_real_time);
+    if (auto shared = view.share_drawing(cores); !shared) warn(shared.error().message);
+    return is_real_time;
+}
+
 Show show_of(const ShowClay& clay) {
     std::vector<std::string> lacks;
     Show show = load_show(clay, lacks);
@@ -206,7 +216,7 @@ Result<KioskEnd> open_kiosk(const KioskOptions& options) {
     warn_of_lacks(*settings, **view);
 
     const jobs::RealTimeRequest real_time{.core = core};
-    const bool is_real_time = jobs::probe_real_time(real_time).fifo.grant == jobs::Grant::kGranted;
+    const bool is_real_time = share_drawing(**view, real_time);
     const haptic::HapticState start{clay::StudioClay(clay::StudioLump{})};
     haptic::HapticParameters parameters = kiosk_parameters(settings->config, is_real_time);
     auto device = std::make_unique<haptic::SimulatedDevice>();

@@ -11,6 +11,7 @@
 #include "engine/core/quote.h"
 #include "engine/files/atomic_file.h"
 #include "engine/jobs/clock.h"
+#include "engine/jobs/shared_loop.h"
 #include "engine/jobs/thread_setup.h"
 #include "engine/render/overlay.h"
 #include "game/app/command_line/commands.h"
@@ -140,6 +141,9 @@ Result<void> play(const LiveOptions& options) {
     if (!view) return view.error();
     if (const std::string& lack = (*view)->workshop_lack(); !lack.empty()) remark(lack);
     leave_haptic_core_wholly(core);
+    const bool is_real_time = jobs::probe_real_time({.core = core}).fifo.grant == jobs::Grant::kGranted;
+    if (auto shared = (*view)->share_drawing(jobs::cores_of_second_thread(core, is_real_time)); !shared)
+        return shared;
 
     auto devices = AttachedDevices::make(options.device, std::move(performance->player), true);
     if (!devices) return devices.error();
