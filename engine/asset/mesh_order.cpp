@@ -26,4 +26,18 @@ void order_for_drawing(Mesh& mesh) {
     meshopt_remapIndexBuffer(mesh.indices.data(), mesh.indices.data(), mesh.indices.size(), places.data());
 }
 
+std::vector<std::uint32_t> thinned(std::span<const vec3> positions, std::span<const std::uint32_t> indices,
+                                   double fraction) {
+    if (indices.empty()) return {};
+    constexpr std::size_t kCorners = 3;
+    constexpr float kMostError = 1.0F;  // of the mesh's size: the fraction alone ends the thinning
+    const auto wanted =
+        kCorners * static_cast<std::size_t>(fraction * static_cast<double>(indices.size() / kCorners));
+    std::vector<std::uint32_t> left(indices.size());
+    left.resize(meshopt_simplify(left.data(), indices.data(), indices.size(), &positions.front().x,
+                                 positions.size(), sizeof(vec3), wanted, kMostError,
+                                 meshopt_SimplifyLockBorder));
+    return left;
+}
+
 }  // namespace onggi::asset

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/asset/gltf_read.h"
+#include "engine/asset/mesh_order.h"
 #include "engine/files/asset_folder.h"
 #include "engine/files/read_file.h"
 #include "engine/math/eight_bits.h"
@@ -44,6 +45,62 @@ render::PropMesh mesh_of(const asset::GltfPart& part, const asset::Material& mat
     mesh.roughness = std::max(static_cast<float>(material.roughness), 0.05F);
     mesh.metalness = static_cast<float>(material.metallic);
     return mesh;
+}
+
+// Whether the colour changes across a triangle as at a nail or in a fold.
+bool shows_detail(const render::PropMesh& mesh, std::span<const std::uint32_t> corners) {
+    constexpr int kToneSteps = 24;
+    constexpr int kSmearSteps = 120;
+    const auto changes = [&](auto value, int steps) {
+        const auto [least, most] =
+            std::minmax({value(mesh.vertices[corners[0]]), value(mesh.vertices[corners[1]]),
+                         value(mesh.vertices[corners[2]])});
+        return most - least > steps;
+    };
+    using Vertex = render::PropMesh::Vertex;
+    return changes([](const Vertex& vertex) { return int{vertex.tone}; }, kToneSteps) ||
+           changes([](const Vertex& vertex) { return int{vertex.smear}; }, kSmearSteps);
+}
+
+// The mesh with little more than half of its triangles, and the vertices that these use. Nails and folds stay
+// as they are.
+render::PropMesh thinned(const render::PropMesh& mesh) {
+    constexpr double kFraction = 0.5;  // of the rest
+    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> plain;
+    for (std::size_t first = 0; first + 2 < mesh.indices.size(); first += 3) {
+        const std::span<const std::uint32_t> corners = std::span(mesh.indices).subspan(first, 3);
+        std::vector<std::uint32_t>& into = shows_detail(mesh, corners) ? indices : plain;
+        into.insert(into.end(), corners.begin(), corners.end());
+    }
+    std::vector<vec3> positions;
+    positions.reserve(mesh.vertices.size());
+    for (const render::PropMesh::Vertex& vertex : mesh.vertices)
+        positions.push_back(vertex.position_mm);
+    const std::vector<std::uint32_t> rest = asset::thinned(positions, plain, kFraction);
+    indices.insert(indices.end(), rest.begin(), rest.end());
+    render::PropMesh thin;
+    thin.albedo = mesh.albedo;
+    thin.roughness = mesh.roughness;
+    thin.metalness = mesh.metalness;
+    constexpr std::uint32_t kUnused = ~0U;
+    std::vector<std::uint32_t> places(mesh.vertices.size(), kUnused);
+    for (const std::uint32_t index : indices) {
+        if (places[index] == kUnused) {
+            places[index] = static_cast<std::uint32_t>(thin.vertices.size());
+            thin.vertices.push_back(mesh.vertices[index]);
+        }
+        thin.indices.push_back(places[index]);
+    }
+    return thin;
+}
+
+render::PropModel thinned(const render::PropModel& model) {
+    render::PropModel thin;
+    for (const render::PropMesh& mesh : model.meshes)
+        thin.meshes.push_back(thinned(mesh));
+    render::measure(thin);
+    return thin;
 }
 
 // Mirrors in the plane z = 0: a right hand's tool becomes a left hand's.
@@ -218,6 +275,13 @@ render::PropModel slip() {
 
 }  // namespace
 
+ToolModel model_at_scale(ToolModel model, double pixels_per_mm) {
+    constexpr double kNearPxPerMm = 2.4;  // between the kiosk's pictures of 720 and of 1080 lines
+    if (pixels_per_mm >= kNearPxPerMm) return model;
+    if (model == ToolModel::kHandOuter) return ToolModel::kFarHandOuter;
+    return model == ToolModel::kHandInner ? ToolModel::kFarHandInner : model;
+}
+
 std::shared_ptr<const render::PropLibrary> ball_alone() {
     return std::make_shared<const render::PropLibrary>(render::PropLibrary{wooden_ball()});
 }
@@ -232,6 +296,8 @@ Result<std::shared_ptr<const render::PropLibrary>> load_tool_models(const std::f
     library->push_back(curl());
     library->push_back(drop());
     library->push_back(slip());
+    for (const ToolModel hand : {ToolModel::kHandOuter, ToolModel::kHandInner})
+        library->push_back(thinned((*library)[library_place(hand, false)]));
     for (std::size_t i = 0; i < kToolModels; ++i)
         library->push_back(mirrored((*library)[i]));
     return std::shared_ptr<const render::PropLibrary>(std::move(library));

@@ -23,14 +23,16 @@ enum class ToolModel : std::size_t {
     kTrimmer,
     kStick,
     kWire,
-    kCurl,  // a shaving, about its origin, its axis along X
-    kDrop,  // of slip, about its origin
-    kSlip,  // streaks and drops of slip on the wheel head, about the wheel's axis
+    kCurl,          // a shaving, about its origin, its axis along X
+    kDrop,          // of slip, about its origin
+    kSlip,          // streaks and drops of slip on the wheel head, about the wheel's axis
+    kFarHandOuter,  // the hands with fewer triangles
+    kFarHandInner,
     kCount,
 };
 constexpr std::size_t kToolModels = static_cast<std::size_t>(ToolModel::kCount);
 // The GLB files of the models between kBall and kCurl; the others are built here.
-constexpr std::array<const char*, kToolModels - 4> kToolFiles{"hand_outer", "hand_inner", "rib", "sponge",
+constexpr std::array<const char*, kToolModels - 6> kToolFiles{"hand_outer", "hand_inner", "rib", "sponge",
                                                               "trimmer",    "stick",      "wire"};
 constexpr float kBallRadiusMm = 10.0F;
 
@@ -38,6 +40,10 @@ constexpr float kBallRadiusMm = 10.0F;
 [[nodiscard]] constexpr std::size_t library_place(ToolModel model, bool left) {
     return static_cast<std::size_t>(model) + (left ? kToolModels : 0);
 }
+
+// The model that shows a hand in a picture of this scale, in pixels per mm at the wheel: one with fewer
+// triangles where most of them would be under two pixels; `model` itself for anything else.
+[[nodiscard]] ToolModel model_at_scale(ToolModel model, double pixels_per_mm);
 
 // A library with only the ball, which needs no file.
 [[nodiscard]] std::shared_ptr<const render::PropLibrary> ball_alone();

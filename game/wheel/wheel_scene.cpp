@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/files/asset_folder.h"
+#include "engine/render/camera.h"
 #include "game/pot/set_aside.h"
 #include "game/wheel/clay_look.h"
 #include "game/wheel/hands.h"
@@ -354,8 +355,9 @@ void show_hands(ecs::Registry& registry, FrameContext& context) {
             return;
         }
         const ToolPicture picture = hand.pose.picture();
+        const double scale = render::pixels_per_mm(scene.camera, context.height_px);
         for (const ShownTool& shown : picture.tools)
-            add_prop(context, shown.model, shown.left, shown.place);
+            add_prop(context, model_at_scale(shown.model, scale), shown.left, shown.place);
         scene.spheres.insert(scene.spheres.end(), picture.shadows.begin(), picture.shadows.end());
     });
 }

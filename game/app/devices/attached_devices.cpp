@@ -90,8 +90,9 @@ void AttachedDevices::add(HidKind kind, const std::string& only,
     devices.push_back(std::move(device));
 }
 
-void AttachedDevices::add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
-    auto device = std::make_unique<haptics::InverseDevice>();
+void AttachedDevices::add_inverse(const haptics::haply::InverseOptions& inverse,
+                                  std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
+    auto device = std::make_unique<haptics::InverseDevice>(inverse);
     haptics::InverseDevice& watched = *device;
     tools_.push_back({.word = "Haply Inverse3",
                       .status = [&watched]() -> const haptics::hid::HidStatus& { return watched.status(); },
@@ -101,7 +102,8 @@ void AttachedDevices::add_inverse(std::vector<std::unique_ptr<haptics::HapticDev
 
 Result<AttachedDevices> AttachedDevices::make(const std::string& word,
                                               std::unique_ptr<haptic::ToolDevice> first,
-                                              bool first_is_a_recording) {
+                                              bool first_is_a_recording,
+                                              const haptics::haply::InverseOptions& inverse) {
     AttachedDevices made;
     std::vector<std::unique_ptr<haptics::HapticDevice>> devices;
     made.first_ = first.get();
@@ -119,7 +121,7 @@ Result<AttachedDevices> AttachedDevices::make(const std::string& word,
             has_pedal = true;
         }
         if (word == kAuto || word == kInverse) {
-            made.add_inverse(devices);
+            made.add_inverse(inverse, devices);
             has_pedal = true;
         }
     }

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 #include <string>
 
 namespace onggi::app {
@@ -33,6 +35,7 @@ class NarratorTest : public testing::Test {
         for (const SaidLine& line : narrator.look({.shown = shown,
                                     .focus = focus,
                                     .marker = marker,
+                                    .device_is_at_buttons = device_is_at_buttons,
                                     .guard = guard,
                                     .snapshot = snapshot,
                                     .now_s = now_s,
@@ -60,6 +63,7 @@ class NarratorTest : public testing::Test {
     bool is_quiet = true;
     bool is_private = false;
     bool has_device = false;
+    std::optional<bool> device_is_at_buttons;
     bool asks_where = false;
     double now_s = 100.0;
     Narrator narrator;
@@ -135,19 +139,81 @@ TEST_F(NarratorTest, SaysWhyTheClayDoesNotFollowOnceForAWhile) {
     EXPECT_EQ(hears(20.0), Lines{"Any more and the pot would sink."});
 }
 
-TEST_F(NarratorTest, SaysWhereADeviceIsAndWhatItDoes) {
+TEST_F(NarratorTest, SaysWhatADeviceDoes) {
     view.state.screen = Screen::kThrow;
     has_device = true;
     const Lines first = hears();
     EXPECT_EQ(std::count_if(first.begin(), first.end(),
                             [](const auto& line) { return line.starts_with("The device in your hand"); }),
               1);
-    EXPECT_EQ(place_of_device({3.0, 64.0, 4.0}, pot), MarkerPlace::kMiddle);
-    EXPECT_EQ(place_of_device({3.0, 30.0, 4.0}, pot), MarkerPlace::kWall);
+}
+
+TEST_F(NarratorTest, TellsWhereADevicesTipIsAtAPaceAndWhetherItTouches) {
+    view.state.screen = Screen::kThrow;
+    device_is_at_buttons = false;
+    snapshot.tool.position_mm = {85.0, 10.0, 0.0};
+    snapshot.result.side = tool::Side::kFree;
+    is_quiet = false;
+    static_cast<void>(hears());
+    snapshot.tool.position_mm = {3.0, 64.0, 4.0};
+    static_cast<void>(hears());
+    EXPECT_EQ(hears(2.0), Lines{}) << "the screen's explanation is not cut off";
+    is_quiet = true;
+    EXPECT_EQ(hears(), Lines{"! Over the middle"});
+    snapshot.tool.position_mm = {85.0, 10.0, 0.0};
+    EXPECT_EQ(hears(2.0), Lines{}) << "on its way";
+    is_quiet = false;
+    EXPECT_EQ(hears(0.5), Lines{"! Outside, at the base"}) << "another place cuts off what is said";
+    snapshot.result.side = tool::Side::kOut;
+    snapshot.result.forces.contacts = 3;
+    static_cast<void>(hears());
+    EXPECT_EQ(hears(2.0), Lines{}) << "a touch does not";
+    is_quiet = true;
+    EXPECT_EQ(hears(), Lines{"touching"});
+    snapshot.tool.position_mm.y = 30.0;
+    static_cast<void>(hears());
+    EXPECT_EQ(hears(0.5), Lines{}) << "too soon after the last";
+    EXPECT_EQ(hears(1.0), Lines{"half way up"});
+    snapshot.tool.position_mm.y = 20.5;
+    static_cast<void>(hears());
+    EXPECT_EQ(hears(2.0), Lines{}) << "at the border of two places";
     open_to(10.0);
-    EXPECT_EQ(place_of_device({40.0, 62.0, 40.0}, pot), MarkerPlace::kRim);
-    EXPECT_EQ(place_of_device({80.0, 62.0, 40.0}, pot), MarkerPlace::kWall);
-    EXPECT_EQ(place_of_device({30.0, 80.0, 0.0}, pot), MarkerPlace::kWall);
+    snapshot.tool.position_mm = {40.0, 62.0, 40.0};
+    snapshot.result.forces.contacts = 0;
+    static_cast<void>(hears());
+    EXPECT_EQ(hears(2.0), Lines{"! At the rim"}) << "a touch is told where there is one";
+    device_is_at_buttons = true;
+    static_cast<void>(hears(5.0));
+    EXPECT_EQ(hears(2.0), Lines{"! At the buttons"});
+}
+
+// Each fragment stands in each language, and none of the places sounds like another.
+TEST_F(NarratorTest, TellsADevicesPlacesApartInEveryLanguage) {
+    view.state.screen = Screen::kThrow;
+    device_is_at_buttons = false;
+    for (std::size_t language = 0; language < view.languages->size(); ++language) {
+        view.state.comfort.language = static_cast<int>(language);
+        narrator.forget();
+        std::set<std::string> told_places;
+        const auto tells = [&](const dvec3& tip_mm, tool::Side side) {
+            snapshot.tool.position_mm = tip_mm;
+            snapshot.result.side = side;
+            static_cast<void>(hears(5.0));
+            const Lines lines = hears(2.0);
+            ASSERT_EQ(lines.size(), 1U) << (*view.languages)[language].code();
+            told_places.insert(lines.front());
+        };
+        static_cast<void>(hears());
+        tells({0.0, 64.0, 0.0}, tool::Side::kTop);
+        tells({55.0, 58.0, 0.0}, tool::Side::kTop);
+        tells({80.0, 10.0, 0.0}, tool::Side::kOut);
+        tells({20.0, 10.0, 0.0}, tool::Side::kIn);
+        tells({130.0, 10.0, 20.0}, tool::Side::kFree);
+        tells({-130.0, 10.0, 20.0}, tool::Side::kFree);
+        tells({20.0, 90.0, 130.0}, tool::Side::kFree);
+        tells({20.0, 90.0, -130.0}, tool::Side::kFree);
+        EXPECT_EQ(told_places.size(), 8U) << (*view.languages)[language].code();
+    }
 }
 
 TEST_F(NarratorTest, TellsWhenTheArrowKeysAreAHandAgain) {

@@ -78,6 +78,35 @@ TEST(ToolModels, HaveNormalsThatFaceAsTheirTrianglesDoAlsoMirrored) {
     }
 }
 
+std::size_t triangles_of(const render::PropModel& model) {
+    std::size_t corners = 0;
+    for (const render::PropMesh& mesh : model.meshes)
+        corners += mesh.indices.size();
+    return corners / 3;
+}
+
+// Small pictures show hands of about half the triangles, in the same outline.
+TEST(ToolModels, HandsHaveAboutHalfOfTheirTrianglesInSmallPicturesAlone) {
+    const auto library = load_tool_models(test::in_checkout("assets/tools"));
+    ASSERT_TRUE(library) << library.error().message;
+    constexpr double kPxPerMm720 = 1.81;  // on the wheel, at 1280x720
+    constexpr double kPxPerMm1080 = 2.71;
+    for (const ToolModel hand : {ToolModel::kHandOuter, ToolModel::kHandInner}) {
+        EXPECT_EQ(model_at_scale(hand, kPxPerMm1080), hand);
+        const ToolModel far = model_at_scale(hand, kPxPerMm720);
+        for (const bool left : {false, true}) {
+            const render::PropModel& whole = (**library)[library_place(hand, left)];
+            const render::PropModel& thin = (**library)[library_place(far, left)];
+            const auto ratio =
+                static_cast<double>(triangles_of(thin)) / static_cast<double>(triangles_of(whole));
+            EXPECT_GT(ratio, 0.45);
+            EXPECT_LT(ratio, 0.65);
+            ASSERT_EQ(whole.boxes_mm.size(), thin.boxes_mm.size());
+        }
+    }
+    EXPECT_EQ(model_at_scale(ToolModel::kSponge, kPxPerMm720), ToolModel::kSponge);
+}
+
 TEST(ToolModels, RejectsAFolderWithoutModelsAndAnInvalidFile) {
     test::TemporaryFolder folder;
     auto library = load_tool_models(folder.path());

@@ -189,15 +189,10 @@ void KioskVisit::look_at_shown(const haptic::Snapshot& snapshot) {
                              visit::finger_is_hand(state_));
 }
 
-// Of the keys, or of the device that has the tool.
-MarkerPlace KioskVisit::marker(const haptic::Snapshot& snapshot) const {
-    if (parts_.devices.holder().empty()) return marker_place(wheel_.finger().marker_mm(), *snapshot.pot);
-    return place_of_device(snapshot.tool.position_mm, *snapshot.pot);
-}
-
 void KioskVisit::speak(const VisitMoment& moment) {
     if (parts_.voice == nullptr) return;
     KioskVoice& voice = *parts_.voice;
+    const bool by_device = !parts_.devices.holder().empty();
     const bool asks_where = input_.take_question();
     if (voice.headphones_are_in() != state_.headphones)
         dispatch(kiosk::event::Headphones{!state_.headphones});
@@ -208,16 +203,18 @@ void KioskVisit::speak(const VisitMoment& moment) {
         narrator_.forget();
         voice.hush();
     } else if (speaks) {
-        lines = narrator_.look({.shown = *shown,
-                                .focus = input_.pointer().focus(),
-                                .marker = marker(moment.snapshot),
-                                .guard = guard_,
-                                .snapshot = moment.snapshot,
-                                .now_s = moment.now_s,
-                                .is_quiet = !voice.speaks(),
-                                .is_private = voice.headphones_are_in(),
-                                .has_device = parts_.devices.has_device(),
-                                .asks_where = asks_where});
+        lines = narrator_.look(
+            {.shown = *shown,
+             .focus = input_.pointer().focus(),
+             .marker = marker_place(wheel_.finger().marker_mm(), *moment.snapshot.pot),
+             .device_is_at_buttons = by_device ? std::optional(input_.device_is_at_buttons()) : std::nullopt,
+             .guard = guard_,
+             .snapshot = moment.snapshot,
+             .now_s = moment.now_s,
+             .is_quiet = !voice.speaks(),
+             .is_private = voice.headphones_are_in(),
+             .has_device = parts_.devices.has_device(),
+             .asks_where = asks_where});
     } else {
         lines = narrator_.look_for_recordings(*shown->view);
     }

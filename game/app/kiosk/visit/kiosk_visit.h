@@ -58,7 +58,6 @@ class KioskVisit final : private VisitFlow {
     void look_at_shown(const haptic::Snapshot& snapshot);
     // What a visitor by ear is told of this frame.
     void speak(const VisitMoment& moment);
-    [[nodiscard]] MarkerPlace marker(const haptic::Snapshot& snapshot) const;
     void name_window(const kiosk::ScreenState& shown, double clay_mm);
 
     VisitParts parts_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <memory>
@@ -61,16 +62,54 @@ MarkerPlace marker_place(const std::optional<dvec2>& marker_mm, const pot::Pot& 
     return marker_mm->y > shape.height_mm - kNearMm ? MarkerPlace::kRim : MarkerPlace::kWall;
 }
 
-MarkerPlace place_of_device(const dvec3& tip_mm, const pot::Pot& shape) {
+TipPlace tip_place(const haptic::Snapshot& snapshot, bool is_at_buttons,
+                   const std::optional<TipPlace>& before) {
+    using Where = TipPlace::Where;
+    using Height = TipPlace::Height;
     constexpr double kOverMm = 15.0;
     constexpr double kNearMm = 8.0;
+    constexpr double kBase = 0.35;  // of the pot's height
+    constexpr double kTop = 0.75;
+    constexpr double kBorder = 0.04;
+    const pot::Pot& shape = *snapshot.pot;
+    const dvec3& tip_mm = snapshot.tool.position_mm;
+    TipPlace place{.touches = snapshot.result.forces.contacts > 0};
+    if (is_at_buttons || shape.outer_mm.empty()) {
+        place.where = Where::kButtons;
+        place.touches = false;
+        return place;
+    }
     const double radius_mm = std::hypot(tip_mm.x, tip_mm.z);
-    if (shape.outer_mm.empty() || tip_mm.y < shape.height_mm - kNearMm) return MarkerPlace::kWall;
-    if (radius_mm < kOverMm) return MarkerPlace::kMiddle;
     const pot::Wall rim = rim_of(shape);
-    const bool is_at_rim = radius_mm > rim.inner_mm - kNearMm && radius_mm < rim.outer_mm + kNearMm &&
-                           tip_mm.y < shape.height_mm + kNearMm;
-    return is_at_rim ? MarkerPlace::kRim : MarkerPlace::kWall;
+    const bool is_inside = snapshot.result.side == tool::Side::kIn;
+    if (!is_inside && tip_mm.y > shape.height_mm - kNearMm) {
+        if (radius_mm < std::max(kOverMm, rim.inner_mm - kNearMm)) {
+            place.where = Where::kMiddle;
+            return place;
+        }
+        if (radius_mm < rim.outer_mm + kNearMm) {
+            place.where = Where::kRim;
+            return place;
+        }
+    }
+    constexpr double kFarMm = 30.0;
+    const double y_mm = std::clamp(tip_mm.y, 0.0, std::max(0.0, shape.height_mm - kNearMm));
+    if (!is_inside && radius_mm > wall_at(shape, y_mm).outer_mm + kFarMm) {
+        const bool is_beside = std::abs(tip_mm.x) > std::abs(tip_mm.z);
+        place.where = is_beside ? (tip_mm.x > 0.0 ? Where::kRight : Where::kLeft)
+                                : (tip_mm.z > 0.0 ? Where::kFront : Where::kBehind);
+        return place;
+    }
+    place.where = is_inside ? Where::kInside : Where::kOutside;
+    const double fraction = tip_mm.y / std::max(shape.height_mm, 1.0);
+    const auto is_above = [&](double border, Height above) {
+        const bool was_above = before && before->where == place.where && before->height >= above;
+        return fraction > border + (was_above ? -kBorder : kBorder);
+    };
+    place.height = is_above(kTop, Height::kTop)        ? Height::kTop
+                   : is_above(kBase, Height::kHalfway) ? Height::kHalfway
+                                                       : Height::kBase;
+    return place;
 }
 
 void Narrator::say(std::string_view key, std::string text, bool is_urgent) {
@@ -127,7 +166,10 @@ void Narrator::tell_more(const screens::View& view, bool has_device) {
                 say({}, line);
     }
     if (state.panel != Panel::kNone) return;
-    if (state.screen == Screen::kChoose && !std::exchange(has_told_keys_, true)) say("ear.keys");
+    if (state.screen == Screen::kChoose && !std::exchange(has_told_keys_, true)) {
+        say("ear.keys");
+        if (has_device) say("ear.strokes");
+    }
     if (state.screen == Screen::kThrow && !std::exchange(has_told_hand_, true)) {
         say("ear.hand");
         say("ear.arrows");
@@ -156,7 +198,10 @@ void Narrator::tell_focus(const Hearing& now, bool is_after_line) {
     const bool had_ring = told_focus_ >= 0;
     told_focus_ = focus;
     told_target_ = name;
-    if (focus < 0 && is_new && had_ring && visit::finger_is_hand(now.shown.view->state))
+    // Of the arrow keys, if a device's strokes did not move the ring.
+    const bool by_keys = !ring_is_devices_;
+    if (is_new) ring_is_devices_ = now.device_is_at_buttons.value_or(false);
+    if (focus < 0 && is_new && had_ring && by_keys && visit::finger_is_hand(now.shown.view->state))
         say("ear.back", language_->spoken("ear.back"), !is_after_line);
     if (focus < 0 || !(is_new || now.asks_where)) return;
     const screens::Target& target = targets[static_cast<std::size_t>(focus)];
@@ -184,10 +229,46 @@ Narrator::Clay Narrator::clay_of(const haptic::Snapshot& snapshot) {
             .load_percent = tens >= kMuchLoadPercent ? tens : 0};
 }
 
+void Narrator::tell_tip(const Hearing& now) {
+    using Where = TipPlace::Where;
+    // A tip on its way is not told, nor more places than one can follow.
+    constexpr double kStaysS = 0.35;
+    constexpr double kEveryS = 1.5;
+    constexpr std::array kWhere{"ear.buttons", "ear.middle", "ear.rim",     "ear.right", "ear.left",
+                                "ear.front",   "ear.behind", "ear.outside", "ear.inside"};
+    constexpr std::array kHeights{"ear.base", "ear.halfway", "ear.top"};
+    if (!now.device_is_at_buttons) {
+        tip_.reset();
+        told_tip_.reset();
+        return;
+    }
+    const TipPlace tip = tip_place(now.snapshot, *now.device_is_at_buttons, tip_);
+    if (tip_ != tip) tip_s_ = now.now_s;
+    tip_ = tip;
+    if (now.is_quiet && due_.empty()) is_explaining_ = false;
+    const bool is_elsewhere = !told_tip_ || tip.where != told_tip_->where || now.asks_where;
+    const bool is_due = tip != told_tip_ && now.now_s - tip_s_ >= kStaysS &&
+                        now.now_s - told_tip_s_ >= kEveryS &&
+                        (now.is_quiet ? due_.empty() : is_elsewhere && !is_explaining_);
+    if (!is_due && !now.asks_where) return;
+    std::string text;
+    const auto add = [&](std::string_view key) { append(text, language_->spoken(key), *language_); };
+    if (is_elsewhere) add(kWhere.at(static_cast<std::size_t>(tip.where)));
+    const bool has_height = tip.where == Where::kOutside || tip.where == Where::kInside;
+    if (has_height && (is_elsewhere || tip.height != told_tip_->height))
+        add(kHeights.at(static_cast<std::size_t>(tip.height)));
+    if (is_elsewhere ? tip.touches : tip.touches != told_tip_->touches)
+        add(tip.touches ? "ear.touching" : "ear.off");
+    told_tip_ = tip;
+    told_tip_s_ = now.now_s;
+    say({}, std::move(text), is_elsewhere);
+}
+
 // One sentence, of what has changed by more than little.
 void Narrator::tell_clay(const Hearing& now) {
     if (!throws_clay(now.shown.view->state)) {
         told_clay_.reset();
+        told_tip_.reset();
         told_marker_ = MarkerPlace::kNone;
         return;
     }
@@ -196,6 +277,7 @@ void Narrator::tell_clay(const Hearing& now) {
         say("ear.rim", language_->spoken("ear.rim"), true);
     if (now.marker != before && now.marker == MarkerPlace::kMiddle)
         say("ear.middle", language_->spoken("ear.middle"), true);
+    tell_tip(now);
     const bool force_rests = now.shown.view->state.force_rests;
     if (force_rests && !told_force_rests_) say("dev.rest");
     told_force_rests_ = force_rests;
@@ -268,6 +350,7 @@ std::vector<SaidLine> Narrator::look(const Hearing& now) {
     if (visit::step_of(view.state.screen).whose == visit::Whose::kNobody)
         has_told_keys_ = has_told_hand_ = false;
     const bool is_new = tell_line(view, now.asks_where);
+    is_explaining_ = is_explaining_ || is_new;
     if (is_new) tell_more(view, now.has_device);
     tell_focus(now, is_new);
     tell_clay(now);

@@ -17,13 +17,28 @@ namespace onggi::app {
 // The place of the marker that keys move, as far as keys have another meaning there.
 enum class MarkerPlace { kNone, kWall, kRim, kMiddle };
 [[nodiscard]] MarkerPlace marker_place(const std::optional<dvec2>& marker_mm, const pot::Pot& shape);
-// The same for the tip of a device.
-[[nodiscard]] MarkerPlace place_of_device(const dvec3& tip_mm, const pot::Pot& shape);
+
+// Where the tip of a device is.
+struct TipPlace {
+    // From kRight to kBehind: well off the clay; kOutside: near its outer face.
+    enum class Where { kButtons, kMiddle, kRim, kRight, kLeft, kFront, kBehind, kOutside, kInside };
+    enum class Height { kBase, kHalfway, kTop };
+    Where where = Where::kOutside;
+    Height height = Height::kBase;  // outside and inside alone
+    bool touches = false;
+
+    friend bool operator==(const TipPlace&, const TipPlace&) = default;
+};
+// `before`: the last one, which a tip at a border of two places keeps; empty: none.
+[[nodiscard]] TipPlace tip_place(const haptic::Snapshot& snapshot, bool is_at_buttons,
+                                 const std::optional<TipPlace>& before);
 
 struct Hearing {
     const screens::Composed& shown;
     int focus = -1;  // target with the ring
     MarkerPlace marker = MarkerPlace::kNone;
+    // Whether a device has the tool; then whether its strokes work the buttons.
+    std::optional<bool> device_is_at_buttons = {};
     screens::CueGuard guard = screens::CueGuard::kNone;
     const haptic::Snapshot& snapshot;
     double now_s = 0.0;
@@ -60,6 +75,8 @@ class Narrator {
     void tell_pot(const screens::FiredPot& pot);
     void tell_focus(const Hearing& now, bool is_after_line);
     void tell_clay(const Hearing& now);
+    // Where a device's tip has come to rest or slowly goes.
+    void tell_tip(const Hearing& now);
     void tell_guard(const Hearing& now);
     void say(std::string_view key, std::string text, bool is_urgent = false);
     void say(std::string_view key);
@@ -69,7 +86,13 @@ class Narrator {
     std::string told_line_;                      // key, language and part of the screen's last line
     std::string told_target_;
     int told_focus_ = -1;
+    bool ring_is_devices_ = false;
     MarkerPlace told_marker_ = MarkerPlace::kNone;
+    std::optional<TipPlace> tip_;  // in the last frame
+    double tip_s_ = 0.0;           // since when it has been there
+    std::optional<TipPlace> told_tip_;
+    double told_tip_s_ = -1e9;
+    bool is_explaining_ = false;  // a screen's line and more, which no place cuts off
     std::optional<Clay> told_clay_;
     double clay_s_ = -1e9;  // when the clay was told
     screens::CueGuard told_guard_ = screens::CueGuard::kNone;

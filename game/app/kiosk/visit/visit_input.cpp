@@ -252,7 +252,8 @@ void VisitInput::take(const VisitMoment& moment) {
     const clay::studio::GripReport& grip = moment.snapshot.result.grip;
     const bool holds = moment.snapshot.tool.pressing && grip.grip != clay::studio::Grip::kNone;
     parts_.view.keep_fingers(holds, holds && grip.has_second);
-    take_devices(moment.now_s);
+    take_devices(moment);
+    take_strokes(moment);
     take_gamepads(moment);
     name_restless(moment.now_s);
     help_along();
@@ -266,7 +267,7 @@ void VisitInput::take_pen() {
     parts_.view.scene().tilt_hand(pen ? pen->tilt_rad : dvec2(0.0));
 }
 
-void VisitInput::take_devices(double now_s) {
+void VisitInput::take_devices(const VisitMoment& moment) {
     for (const std::string& line : parts_.devices.news())
         flow_.say(line);
     const bool has_device = parts_.devices.has_device();
@@ -275,10 +276,47 @@ void VisitInput::take_devices(double now_s) {
     // If another device has the tool, the finger's next motion begins another touch.
     const std::string holder = parts_.devices.holder();
     if (!holder.empty() && holder != holder_) finger_.release();
+    // A step is shown from its beginning, once the device is at rest that asked for it.
+    const kiosk::State& state = flow_.state();
+    if (holder.empty() && !holder_.empty() && finger_.shows() && state.throwing.shown)
+        finger_.show(*state.throwing.shown, *moment.snapshot.pot, side_of(state));
     holder_ = holder;
     if (!parts_.devices.somebody_moved()) return;
-    device_lived_s_ = now_s;
+    device_lived_s_ = moment.now_s;
     flow_.dispatch(event::Input{});
+}
+
+// Who finds no button on a screen works them by strokes of the device. At the clay they are above it, so that
+// no stroke of a hand at work counts.
+void VisitInput::take_strokes(const VisitMoment& moment) {
+    constexpr double kAboveRimMm = 40.0;
+    constexpr double kStaysMm = 15.0;  // lower than it came
+    const kiosk::State& state = flow_.state();
+    const dvec3& tip_mm = moment.snapshot.tool.position_mm;
+    const bool was_there = device_is_at_buttons_;
+    const double above_mm = kAboveRimMm - (was_there ? kStaysMm : 0.0);
+    const Finger finger = open_finger(state);
+    device_is_at_buttons_ = state.comfort.speech && !parts_.devices.holder().empty() &&
+                            step_of(state.screen).whose == visit::Whose::kVisitor &&
+                            (finger != Finger::kClay || tip_mm.y > moment.snapshot.pot->height_mm + above_mm);
+    if (was_there && !device_is_at_buttons_) pointer_.leave_ring();
+    const Stroke stroke =
+        strokes_.look(device_is_at_buttons_ ? std::optional(tip_mm) : std::nullopt, moment.dt_s);
+    if (stroke == Stroke::kNone) return;
+    if (stroke == Stroke::kAsk) asks_where_ = true;
+    const auto language = static_cast<std::size_t>(state.comfort.language);
+    const bool right_to_left = (*parts_.settings.languages)[language].right_to_left();
+    const Stroke forward = right_to_left ? Stroke::kLeft : Stroke::kRight;
+    std::vector<PointerNews> all;
+    const auto press = [&](window::Key key) {
+        pointer_.handle(window::KeyEvent{.key = key, .pressed = true}, moment.now_s, all);
+        pointer_.handle(window::KeyEvent{.key = key, .pressed = false}, moment.now_s, all);
+    };
+    if (stroke == Stroke::kLeft || stroke == Stroke::kRight)
+        press(stroke == forward ? window::Key::kRightBracket : window::Key::kLeftBracket);
+    if (stroke == Stroke::kPress && pointer_.focus() >= 0) press(window::Key::kEnter);
+    for (const PointerNews& news : all)
+        take_news(news, moment.now_s);
 }
 
 // Not while anybody is there, whose hand may be what does not rest.

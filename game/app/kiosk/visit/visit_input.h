@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "game/app/devices/gamepad_finger.h"
+#include "game/app/kiosk/finger/device_strokes.h"
 #include "game/app/kiosk/finger/kiosk_finger.h"
 #include "game/app/kiosk/finger/kiosk_pointer.h"
 #include "game/app/kiosk/visit/bench_tools.h"
@@ -46,6 +47,9 @@ class VisitInput {
     void lead_by_keys() { keys_lead_ = true; }
     // Whether the visitor has asked where they are since the last call.
     [[nodiscard]] bool take_question() { return std::exchange(asks_where_, false); }
+    // Whether the strokes of the device that has the tool work the buttons: for a visitor by ear, off the
+    // clay.
+    [[nodiscard]] bool device_is_at_buttons() const { return device_is_at_buttons_; }
     // Whether a mouse without a pressed button has moved recently.
     [[nodiscard]] bool hovers(double now_s) const;
     // Whether a person has just changed a control of the device that has the tool. Without that, a touch of
@@ -70,7 +74,8 @@ class VisitInput {
     // press: of the first finger, or of the second.
     void touch_clay(vec2 px, void (KioskFinger::*press)(const dvec2&));
     void take_pen();
-    void take_devices(double now_s);
+    void take_devices(const VisitMoment& moment);
+    void take_strokes(const VisitMoment& moment);
     void take_gamepads(const VisitMoment& moment);
     void help_along();  // attracts the finger to the shown outline
     void name_restless(double now_s);
@@ -84,6 +89,8 @@ class VisitInput {
     KioskPointer pointer_;
     BenchTouch bench_;
     GamepadFinger gamepads_;
+    DeviceStrokes strokes_;
+    bool device_is_at_buttons_ = false;
     double hovered_s_ = -1e9;  // time of the last mouse motion without a button
     bool keys_lead_ = false;
     bool asks_where_ = false;
