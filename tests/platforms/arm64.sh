@@ -5,14 +5,16 @@
 set -euo pipefail
 source .ci/setup.sh
 dpkg --add-architecture arm64
-install_packages crossbuild-essential-arm64 "${packages_to_run[@]}" "${packages_to_check[@]}"
-libraries=()
+# Of libraries arm64's alone: libwebsockets-dev cannot be installed for two processors at once.
+tools=() libraries=()
 for name in "${packages_to_run[@]}" "${packages_to_check[@]}"; do
     case $name in
-        glslang-dev | xserver-xorg-dev) ;;  # its programs take the place of this machine's; for a test's driver of Xorg
+        glslang-dev | xserver-xorg-dev) tools+=("$name") ;;  # its programs run here; for a test's driver of Xorg
         *-dev) libraries+=("$name") ;;
+        *) tools+=("$name") ;;
     esac
 done
+install_packages crossbuild-essential-arm64 "${tools[@]}"
 list=$(printf ', %s' "${libraries[@]}")
 say "installing libraries for arm64"
 apt-get -qq -a arm64 satisfy -y --no-install-recommends "${list:2}" >/dev/null
