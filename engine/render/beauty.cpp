@@ -21,7 +21,20 @@ dvec2 spread(int index, double offset) {
 }  // namespace
 
 std::uint8_t srgb_byte(float light) {
-    return eight_bits(srgb_from_linear(light));
+    // A power for most channels of a picture is spared: where both ends of a step encode to the same byte, so
+    // does all between.
+    constexpr int kSteps = 4096;
+    const auto exact = [](float of) { return eight_bits(srgb_from_linear(of)); };
+    static const auto ends = [&] {
+        std::array<std::uint8_t, kSteps + 1> bytes{};
+        for (int i = 0; i <= kSteps; ++i)
+            bytes[static_cast<std::size_t>(i)] = exact(static_cast<float>(i) / kSteps);
+        return bytes;
+    }();
+    if (!(light > 0.0F)) return 0;
+    if (light >= 1.0F) return 255;
+    const auto step = static_cast<std::size_t>(light * kSteps);
+    return ends[step] == ends[step + 1] ? ends[step] : exact(light);
 }
 
 Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) {

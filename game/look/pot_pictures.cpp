@@ -57,12 +57,13 @@ constexpr float kSpanMm = 0.8F;  // length of the outline averaged for a normal
 
 asset::Image blank() {
     asset::Image image{.width = kPictureSide, .height = kPictureSide, .rgba = {}};
-    image.rgba.reserve(std::size_t{4} * kPictureSide * kPictureSide);
+    image.rgba.resize(std::size_t{4} * kPictureSide * kPictureSide, 255);
     return image;
 }
 
-void add_texel(asset::Image& image, const vec3& value) {
-    image.rgba.insert(image.rgba.end(), {eight_bits(value.x), eight_bits(value.y), eight_bits(value.z), 255});
+void put_texel(asset::Image& image, std::size_t texel, const vec3& value) {
+    for (int channel = 0; channel < 3; ++channel)
+        image.rgba[4 * texel + static_cast<std::size_t>(channel)] = eight_bits(value[channel]);
 }
 
 // The outline as in the wheel's picture, with every groove.
@@ -288,12 +289,13 @@ PotPictures bake(const std::vector<exporter::PictureRow>& rows, const exporter::
                 mean.coat += found.coat / static_cast<float>(kSubRows);
                 normal += in_tangent_space(baked, found.lean_round, found.lean_up);
             }
+            const std::size_t texel = static_cast<std::size_t>(y) * kPictureSide + x;
             for (int channel = 0; channel < 3; ++channel)
-                pictures.base_colour.rgba.push_back(render::srgb_byte(mean.colour[channel]));
-            pictures.base_colour.rgba.push_back(255);
-            add_texel(pictures.normal, 0.5F + 0.5F * glm::normalize(normal));
-            add_texel(pictures.surface, vec3(open, mean.roughness, 0.0F));
-            add_texel(pictures.coat, vec3(mean.coat));
+                pictures.base_colour.rgba[4 * texel + static_cast<std::size_t>(channel)] =
+                    render::srgb_byte(mean.colour[channel]);
+            put_texel(pictures.normal, texel, 0.5F + 0.5F * glm::normalize(normal));
+            put_texel(pictures.surface, texel, vec3(open, mean.roughness, 0.0F));
+            put_texel(pictures.coat, texel, vec3(mean.coat));
             pictures.is_coated = pictures.is_coated || mean.coat > 0.0F;
         }
     }

@@ -67,13 +67,14 @@ Result<void> Framebuffer::fit(const FrameContext& frame, std::string_view name) 
                                                      .use = vk::MemoryUse::kWork});
     if (!picture) return picture.error();
     picture_ = std::move(*picture);
-    depth_.resize(pixels);
+    depth_ = std::make_unique_for_overwrite<float[]>(pixels);
     size_ = size;
     return {};
 }
 
 PictureCanvas Framebuffer::canvas() {
-    return {.size = size_, .pixels = picture_.as<std::uint32_t>(), .depth = depth_};
+    const std::span<std::uint32_t> pixels = picture_.as<std::uint32_t>();
+    return {.size = size_, .pixels = pixels, .depth = {depth_.get(), pixels.size()}};
 }
 
 void HostMoving::create(const RendererDesc& desc) {
@@ -323,10 +324,13 @@ Result<HostPicture> CpuBackend::make(const Scene& scene) {
     frame_.clock.enter_host("room");
     // A cut to another view may come with any frame, so its memory is allocated in advance.
     if (scene.background) {
-        if (auto fitted = next_.fit(frame_); !fitted) return fitted.error();
+        if (auto fitted = next_.fit(frame_, StillLayers::Of::kPhotographedRoom); !fitted)
+            return fitted.error();
     }
     if (auto made = shown_.make(frame_, scene, room_, numbers_); !made) return made.error();
-    frame_.stats.shadow_drawn = shown_.shade(frame_, scene, numbers_);
+    const auto shaded = shown_.shade(frame_, scene, room_, numbers_);
+    if (!shaded) return shaded.error();
+    frame_.stats.shadow_drawn = *shaded;
     frame_.clock.enter_host("hands and lathe");
     auto drawn = moving_.draw_over(frame_, shown_.shaded().as<const std::uint32_t>(), shown_.depth());
     if (!drawn) return drawn.error();

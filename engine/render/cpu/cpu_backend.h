@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -81,7 +82,8 @@ class Framebuffer {
 
   private:
     vk::Buffer picture_;
-    std::vector<float> depth_;
+    // Not a vector, which would write to all of it: most pages are never used.
+    std::unique_ptr<float[]> depth_;
     PictureSize size_;
 };
 

@@ -91,10 +91,11 @@ ShadeLight shade_light(const LightLevels& levels, VkFormat format) {
 Result<void> HostShade::fit(const FrameContext& frame) {
     const VkDeviceSize bytes = VkDeviceSize{4} * frame.extent.width * frame.extent.height;
     if (shaded_.size() == bytes) return {};
-    auto buffer = vk::Buffer::create(frame.device, {.name = "shaded still life",
-                                                    .size = bytes,
-                                                    .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                                    .use = vk::MemoryUse::kWork});
+    auto buffer = vk::Buffer::create(
+        frame.device, {.name = "shaded still life",
+                       .size = bytes,
+                       .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                       .use = vk::MemoryUse::kWork});
     if (!buffer) return buffer.error();
     shaded_ = std::move(*buffer);
     touch(shaded_);
@@ -225,18 +226,23 @@ Result<void> draw_and_read(FrameContext& frame, const Band& band, std::span<cons
 
 }  // namespace
 
-Result<void> StillLayers::fit(const FrameContext& frame) {
+Result<void> StillLayers::fit(const FrameContext& frame, Of room) {
     const VkExtent2D extent = frame.extent;
-    if (extent.width == extent_.width && extent.height == extent_.height) return {};
-    extent_ = {};
+    if (extent.width == extent_.width && extent.height == extent_.height && room == of_) return {};
+    let_go();
     struct Request {
         vk::Buffer& into;
         const char* name;
     };
-    for (const Request& request : {Request{with_key_, "still life with the key light"},
-                                   Request{without_key_, "still life without the key light"},
-                                   Request{places_, "still life's places in the shadow mask"},
-                                   Request{depth_, "still life's depth"}}) {
+    std::vector<Request> requests{{places_, "still life's places in the shadow mask"},
+                                  {depth_, "still life's depth"}};
+    if (room == Of::kModelledRoom) {
+        requests.push_back({with_key_, "still life with the key light"});
+        requests.push_back({without_key_, "still life without the key light"});
+    } else {
+        weights_.resize(std::size_t{extent.width} * extent.height);
+    }
+    for (const Request& request : requests) {
         auto buffer = vk::Buffer::create(
             frame.device, {.name = request.name,
                            .size = VkDeviceSize{4} * extent.width * extent.height,
@@ -247,12 +253,14 @@ Result<void> StillLayers::fit(const FrameContext& frame) {
         touch(request.into);
     }
     extent_ = extent;
+    of_ = room;
     return {};
 }
 
 void StillLayers::let_go() {
     for (vk::Buffer* buffer : {&with_key_, &without_key_, &places_, &depth_})
         *buffer = {};
+    weights_ = {};
     extent_ = {};
 }
 
@@ -275,35 +283,39 @@ Result<void> StillLayers::draw_own(FrameContext& frame, const LayerPipelines& pi
 }
 
 Result<void> StillLayers::draw_places(FrameContext& frame, const LayerPipelines& pipelines,
-                                      const StillMeshes& meshes, RowSpan rows) {
+                                      const StillMeshes& meshes, RowSpan rows, const vk::Buffer& scratch) {
     const Band band{{extent_.width, static_cast<std::uint32_t>(rows.end - rows.first)},
                     static_cast<std::uint32_t>(rows.first)};
     auto foot = layer(frame, band, "still life's nearness to the foot", frame.desc.colour_format);
     if (!foot) return foot.error();
     auto coords = layer(frame, band, "still life's places in the shadow mask", kPackedFormat);
     if (!coords) return coords.error();
-    const std::array readings{Reading{*foot, without_key_}, Reading{*coords, places_}};
-    return draw_and_read(frame, band, readings, depth_, [&] {
+    const std::array readings{Reading{*foot, scratch}, Reading{*coords, places_}};
+    auto drawn = draw_and_read(frame, band, readings, depth_, [&] {
         frame.bind(pipelines.places);
         meshes.draw(frame, StillMeshes::Which::kAll);
     });
-}
-
-void StillLayers::lay(const HostBackground& background, vec4 window, RowSpan rows) {
-    lay_photographs(background, window, static_cast<int>(extent_.width), rows, with_key_.as<std::uint32_t>(),
-                    without_key_.as<std::uint32_t>());
+    if (!drawn) return drawn;
+    const std::span<const std::uint32_t> read = scratch.as<const std::uint32_t>();
+    const std::size_t end = std::size_t{extent_.width} * static_cast<std::size_t>(rows.end);
+    for (std::size_t i = std::size_t{extent_.width} * band.top; i < end; ++i)
+        weights_[i] = static_cast<std::uint8_t>(read[i] >> 24U);
+    return {};
 }
 
 void StillLayers::turn_into_places() {
     render::turn_into_places(places_.as<std::uint32_t>());
 }
 
-ShadeLayers StillLayers::layers() const {
-    return {.width = static_cast<int>(extent_.width),
+ShadeLayers StillLayers::layers(const HostBackground* photographs, vec4 window) const {
+    const int width = static_cast<int>(extent_.width);
+    return {.width = width,
             .height = static_cast<int>(extent_.height),
             .with_key = with_key_.as<std::uint32_t>(),
             .without_key = without_key_.as<std::uint32_t>(),
-            .places = places_.as<std::uint32_t>()};
+            .places = places_.as<std::uint32_t>(),
+            .room = {photographs, window, width},
+            .weights = weights_};
 }
 
 namespace {
@@ -328,10 +340,10 @@ Result<void> KeptView::make_part(FrameContext& frame, const Scene& seen, const S
         parts_made_ = background_ ? parts_made_ + 1 : kDrawn;
     } else if (parts_made_ < kLearnt) {
         layers_.turn_into_places();
-        shade_.learn(frame, layers_.layers());
+        shade_.learn(frame, layers_.layers(nullptr, window_));
         parts_made_ = kLearnt;
     } else {
-        shade_.shade(frame, now, layers_.layers(), numbers);
+        if (auto shaded = shade(frame, now, room, numbers); !shaded) return shaded.error();
         parts_made_ = kShaded;
     }
     return {};
@@ -345,8 +357,19 @@ Result<void> KeptView::make(FrameContext& frame, const Scene& scene, const KeptR
     return {};
 }
 
-Result<void> KeptView::fit(const FrameContext& frame) {
-    if (auto fitted = layers_.fit(frame); !fitted) return fitted;
+Result<bool> KeptView::shade(const FrameContext& frame, const Scene& scene, const KeptRoom& room,
+                             TileNumbers& numbers) {
+    const HostBackground* photographs = nullptr;
+    if (background_) {
+        const auto found = room.backgrounds.find(background_);
+        if (!found) return found.error();
+        photographs = *found;
+    }
+    return shade_.shade(frame, scene, layers_.layers(photographs, window_), numbers);
+}
+
+Result<void> KeptView::fit(const FrameContext& frame, StillLayers::Of room) {
+    if (auto fitted = layers_.fit(frame, room); !fitted) return fitted;
     return shade_.fit(frame);
 }
 
@@ -358,30 +381,28 @@ void KeptView::let_go() {
 
 KeptView::Lent KeptView::lend() {
     forget();
-    return {shade_.shaded(), layers_.with_key()};
+    return {shade_.shaded(), layers_.depth()};
 }
 
 Result<void> KeptView::draw(FrameContext& frame, const Scene& seen, const KeptRoom& room) {
-    if (auto fitted = fit(frame); !fitted) return fitted;
+    const auto of = background_ ? StillLayers::Of::kPhotographedRoom : StillLayers::Of::kModelledRoom;
+    if (auto fitted = fit(frame, of); !fitted) return fitted;
     const shaders::FrameData by_day =
         still_frame(seen, room.meshes.bounds(), static_cast<int>(frame.extent.width),
                     static_cast<int>(frame.extent.height));
     frame.upload_uniforms(by_day);
     frame.stats.still_life_drawn = true;
-    if (background_) return draw_band(frame, room, by_day.background_window);
+    window_ = by_day.background_window;
+    if (background_) return draw_band(frame, room);
     if (auto mapped = frame.run_once([&] { record_shadow_map(frame, room.meshes); }); !mapped) return mapped;
     return layers_.draw_own(frame, room.pipelines, room.meshes);
 }
 
-Result<void> KeptView::draw_band(FrameContext& frame, const KeptRoom& room, vec4 window) {
+Result<void> KeptView::draw_band(FrameContext& frame, const KeptRoom& room) {
     const int height = static_cast<int>(frame.extent.height);
     const RowSpan rows{parts_made_ * height / kBands, (parts_made_ + 1) * height / kBands};
     if (rows.first == rows.end) return {};
-    const auto background = room.backgrounds.find(background_);
-    if (!background) return background.error();
-    if (auto drawn = layers_.draw_places(frame, room.pipelines, room.meshes, rows); !drawn) return drawn;
-    layers_.lay(**background, window, rows);
-    return {};
+    return layers_.draw_places(frame, room.pipelines, room.meshes, rows, shade_.shaded());
 }
 
 }  // namespace onggi::render

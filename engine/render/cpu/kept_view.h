@@ -107,11 +107,12 @@ class HostShade {
 
 // The still life's layers in memory that the processor reads to apply the shade (shade_pixels.h): colours in
 // full daylight, shadow-mask places and depth. The device draws them; for a photographed room it draws only
-// the geometry, and the colours come from the photographs.
+// the geometry, and the colours are taken from the photographs whenever pixels are shaded.
 class StillLayers {
   public:
+    enum class Of { kModelledRoom, kPhotographedRoom };
     // Allocates memory for a picture of this size. The device is idle.
-    Result<void> fit(const FrameContext& frame);
+    Result<void> fit(const FrameContext& frame, Of room);
     // Releases the memory until the next fit(). The device is idle.
     void let_go();
 
@@ -119,23 +120,25 @@ class StillLayers {
     // device, with all lights at full level. The device is idle. Errors: the device's.
     Result<void> draw_own(FrameContext& frame, const LayerPipelines& pipelines, const StillMeshes& meshes);
     // Draws and reads back the geometry of a photographed room, for these rows. Call it for all rows in turn.
-    // lay() then adds the photographs' colours to the same rows, see lay_photographs().
+    // `scratch` is as large as the picture; these rows of it are overwritten.
     Result<void> draw_places(FrameContext& frame, const LayerPipelines& pipelines, const StillMeshes& meshes,
-                             RowSpan rows);
-    void lay(const HostBackground& background, vec4 window, RowSpan rows);
+                             RowSpan rows, const vk::Buffer& scratch);
     // Call last: converts the coordinates that were drawn into the places that layers() describes.
     void turn_into_places();
 
-    [[nodiscard]] ShadeLayers layers() const;
-    [[nodiscard]] const vk::Buffer& with_key() const { return with_key_; }
+    // `photographs`: of the room that was drawn; null for one in its own colours. `window`: see
+    // PhotographedRoom.
+    [[nodiscard]] ShadeLayers layers(const HostBackground* photographs, vec4 window) const;
     [[nodiscard]] const vk::Buffer& depth() const { return depth_; }  // one float per pixel
 
   private:
     VkExtent2D extent_{};
-    vk::Buffer with_key_;
+    Of of_ = Of::kModelledRoom;
+    vk::Buffer with_key_;  // of a modelled room, like the next
     vk::Buffer without_key_;
     vk::Buffer places_;
     vk::Buffer depth_;
+    std::vector<std::uint8_t> weights_;  // of a photographed room, see ShadeLayers
 };
 
 // The inputs of a view.
@@ -161,7 +164,7 @@ class KeptView {
     // The view's inputs have changed.
     void forget() { parts_made_ = 0; }
     // Allocates the memory in advance, so that no part has to. The device is idle.
-    Result<void> fit(const FrameContext& frame);
+    Result<void> fit(const FrameContext& frame, StillLayers::Of room);
     // Releases the memory of a view that is no longer needed. The device is idle.
     void let_go();
     // Lends the memory of a view that was left as two pictures of the frame's size, until the view is made
@@ -173,9 +176,9 @@ class KeptView {
     [[nodiscard]] Lent lend();
 
     // Applies shade and light levels. Precondition: the view is complete. Returns whether the shade changed.
-    bool shade(const FrameContext& frame, const Scene& scene, TileNumbers& numbers) {
-        return shade_.shade(frame, scene, layers_.layers(), numbers);
-    }
+    // Errors: the room lacks the view's photographs.
+    Result<bool> shade(const FrameContext& frame, const Scene& scene, const KeptRoom& room,
+                       TileNumbers& numbers);
     [[nodiscard]] const vk::Buffer& shaded() const { return shade_.shaded(); }
     [[nodiscard]] std::span<const std::uint64_t> numbers() const { return shade_.tiles().numbers(); }
     [[nodiscard]] std::span<const float> depth() const { return layers_.depth().as<const float>(); }
@@ -187,11 +190,12 @@ class KeptView {
     [[nodiscard]] bool is_whole() const { return parts_made_ == kShaded; }
     [[nodiscard]] bool is_of(const FrameContext& frame, const Scene& scene) const;
     Result<void> draw(FrameContext& frame, const Scene& seen, const KeptRoom& room);
-    Result<void> draw_band(FrameContext& frame, const KeptRoom& room, vec4 window);
+    Result<void> draw_band(FrameContext& frame, const KeptRoom& room);
 
     int parts_made_ = 0;
     std::uint64_t of_ = 0;  // hash of the scene that it shows
     std::shared_ptr<const Background> background_;
+    vec4 window_{1.0F, 1.0F, 0.0F, 0.0F};  // of its photographs
     StillLayers layers_;
     HostShade shade_;
 };

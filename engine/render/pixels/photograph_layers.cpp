@@ -16,15 +16,14 @@ using shapes::fixed;
 using shapes::kOne;
 using shapes::Slope;
 
-// Parameters and scratch memory of both layers.
-struct Layers {
-    vec4 window;
-    std::size_t width = 0;
-    RowSpan rows;
-    std::uint32_t* with_key = nullptr;
-    std::uint32_t* without_key = nullptr;
-    std::uint32_t* unlit = nullptr;  // scratch: a row of the picture
-    std::uint32_t* mixed = nullptr;  // scratch: a row of a photograph, plus one texel
+// Pixels of a row, from column `first` to before `end`; and scratch memory for a row of a photograph, plus
+// one texel.
+struct RowPart {
+    const PhotographedRoom& room;
+    int row = 0;
+    std::size_t first = 0;
+    std::size_t end = 0;
+    std::span<std::uint32_t> mixed;
 };
 
 std::uint32_t part_of(int place) {
@@ -49,6 +48,10 @@ struct Along {
                                                  std::uint32_t* pixels) {
     const std::uint32_t* const first = texels + (at >> 16);
     const std::uint32_t part = part_of(at);
+    if (part == 0) {
+        std::copy_n(first, count, pixels);
+        return;
+    }
     for (std::size_t i = 0; i < count; ++i)
         pixels[i] = mix_words(first[i], first[i + 1], part);
 }
@@ -61,9 +64,10 @@ struct Along {
 
 // Takes pixels that are, or may be, outside the photograph. `out`: the row's own distance outside.
 [[gnu::always_inline]] inline void take_beside(const std::uint32_t* texels, int across, const Slope& u,
-                                               float out, std::size_t count, std::uint32_t* pixels) {
+                                               int begin, float out, std::size_t count,
+                                               std::uint32_t* pixels) {
     for (std::size_t i = 0; i < count; ++i) {
-        const Along place = along(u.at(static_cast<int>(i)), across);
+        const Along place = along(u.at(begin + static_cast<int>(i)), across);
         const std::uint32_t texel =
             mix_words(texels[place.at >> 16], texels[(place.at >> 16) + 1], part_of(place.at));
         const float left = shaders::left_beside(place.out, out);
@@ -71,78 +75,87 @@ struct Along {
     }
 }
 
-// Takes a row of the picture: interpolated vertically in the photograph, then horizontally.
-[[gnu::always_inline]] inline void take_row(const HostPhotograph& photograph, const Layers& layers, int y,
-                                            std::uint32_t* pixels) {
-    // Short enough for fixed-point steps to stay accurate.
+// Takes the part of a row: interpolated vertically in the photograph, then horizontally. A pixel's bits do
+// not depend on the part.
+[[gnu::always_inline]] inline void take_part(const HostPhotograph& photograph, const RowPart& part,
+                                             std::uint32_t* pixels) {
+    // Short enough for fixed-point steps to stay accurate. Pieces begin at multiples of it.
     constexpr std::size_t kPiece = 256;
     constexpr float kAlike = 1.0F / 65536.0F;
     const int across = photograph.width();
-    const auto texels_across = static_cast<std::size_t>(across);
-    const vec4& window = layers.window;
+    const vec4& window = part.room.window;
     const auto width = static_cast<float>(across);
-    const float down = (static_cast<float>(y) + 0.5F) * window.y + window.w;
+    const float down = (static_cast<float>(part.row) + 0.5F) * window.y + window.w;
     const Along v = along(down * static_cast<float>(photograph.height()) - 0.5F, photograph.height());
     const std::uint32_t* const row = photograph.first() + (v.at >> 16) * std::ptrdiff_t{across};
-    const std::uint32_t part = part_of(v.at);
-    for (std::size_t i = 0; i <= texels_across; ++i)
-        layers.mixed[i] = mix_words(row[i], row[i + texels_across], part);
-
+    const auto mix_texels = [&](std::size_t from, std::size_t to) __attribute__((always_inline)) {
+        for (std::size_t i = from; i <= to; ++i)
+            part.mixed[i] = mix_words(row[i], row[i + static_cast<std::size_t>(across)], part_of(v.at));
+    };
     const Slope whole{(0.5F * window.x + window.z) * width - 0.5F, window.x * width};
-    for (std::size_t x = 0; x < layers.width; x += kPiece) {
-        const std::size_t count = std::min(kPiece, layers.width - x);
-        const Slope u{whole.at(static_cast<int>(x)), whole.step};
+    const auto picture_width = static_cast<std::size_t>(part.room.width_px);
+    const bool is_a_row = part_of(v.at) == 0;
+    const std::uint32_t* const texels = is_a_row ? row : part.mixed.data();
+    bool has_all = is_a_row;
+    for (std::size_t piece = part.first / kPiece * kPiece; piece < part.end; piece += kPiece) {
+        const int last = static_cast<int>(std::min(kPiece, picture_width - piece)) - 1;
+        const Slope u{whole.at(static_cast<int>(piece)), whole.step};
+        const std::size_t begin = std::max(piece, part.first) - piece;
+        const std::size_t count = std::min(piece + kPiece, part.end) - piece - begin;
+        std::uint32_t* const into = pixels + (piece + begin - part.first);
         // The fringe allows for rounding at the border.
         constexpr float kFringe = 1.0F / 256.0F;
-        const bool is_inside = v.out == 0.0F && u.first >= -kFringe &&
-                               u.at(static_cast<int>(count) - 1) <= width - 1.0F + kFringe;
+        const bool is_inside = v.out == 0.0F && u.first >= -kFringe && u.at(last) <= width - 1.0F + kFringe;
         if (!is_inside) {
-            take_beside(layers.mixed, across, u, v.out, count, pixels + x);
+            if (!has_all) mix_texels(0, static_cast<std::size_t>(across));
+            has_all = true;
+            take_beside(texels, across, u, static_cast<int>(begin), v.out, count, into);
             continue;
         }
-        const int at = fixed(std::max(u.first, 0.0F));
-        if (std::abs(u.step - 1.0F) <= kAlike) {
-            take_as_it_is(layers.mixed, at, count, pixels + x);
+        const int step = std::abs(u.step - 1.0F) <= kAlike ? kOne : fixed(u.step);
+        const int at = fixed(std::max(u.first, 0.0F)) + static_cast<int>(begin) * step;
+        const int end = at + static_cast<int>(count - 1) * step;
+        if (!has_all) mix_texels(static_cast<std::size_t>(at >> 16), static_cast<std::size_t>(end >> 16) + 1);
+        if (step == kOne) {
+            take_as_it_is(texels, at, count, into);
         } else {
-            take_stretched(layers.mixed, at, fixed(u.step), count, pixels + x);
+            take_stretched(texels, at, step, count, into);
         }
     }
 }
 
-ONGGI_WIDE_VECTORS void lay(const HostBackground& background, const Layers& layers) {
-    for (int y = layers.rows.first; y < layers.rows.end; ++y) {
-        const std::size_t first = static_cast<std::size_t>(y) * layers.width;
-        std::uint32_t* const with_key = layers.with_key + first;
-        std::uint32_t* const without_key = layers.without_key + first;
-        take_row(background.key, layers, y, with_key);
-        take_row(background.ambient, layers, y, layers.unlit);
-        for (std::size_t i = 0; i < layers.width; ++i) {
-            constexpr std::uint32_t kColours = 0x00FFFFFFU;
-            without_key[i] = (without_key[i] & ~kColours) | (layers.unlit[i] & kColours);
-            // Compression may leave the lit photograph darker by one level.
-            std::uint32_t lit = 0xFF000000U;
-            for (std::uint32_t shift = 0; shift < 24U; shift += 8U) {
-                const std::uint32_t channel = 0xFFU << shift;
-                lit |= std::max(with_key[i] & channel, layers.unlit[i] & channel);
-            }
-            with_key[i] = lit;
+ONGGI_WIDE_VECTORS void lay(const RowPart& part, std::uint32_t* with_key, std::uint32_t* without_key,
+                            std::uint32_t* unlit) {
+    take_part(part.room.photographs->key, part, with_key);
+    take_part(part.room.photographs->ambient, part, unlit);
+    for (std::size_t i = 0; i < part.end - part.first; ++i) {
+        constexpr std::uint32_t kColours = 0x00FFFFFFU;
+        without_key[i] = (without_key[i] & ~kColours) | (unlit[i] & kColours);
+        // Compression may leave the lit photograph darker by one level.
+        std::uint32_t lit = 0xFF000000U;
+        for (std::uint32_t shift = 0; shift < 24U; shift += 8U) {
+            const std::uint32_t channel = 0xFFU << shift;
+            lit |= std::max(with_key[i] & channel, unlit[i] & channel);
         }
+        with_key[i] = lit;
     }
 }
 
 }  // namespace
 
-void lay_photographs(const HostBackground& background, vec4 window, int width, RowSpan rows,
-                     std::span<std::uint32_t> with_key, std::span<std::uint32_t> without_key) {
-    std::vector<std::uint32_t> unlit(static_cast<std::size_t>(width));
-    std::vector<std::uint32_t> mixed(static_cast<std::size_t>(background.key.width()) + 1);
-    lay(background, {.window = window,
-                     .width = static_cast<std::size_t>(width),
-                     .rows = rows,
-                     .with_key = with_key.data(),
-                     .without_key = without_key.data(),
-                     .unlit = unlit.data(),
-                     .mixed = mixed.data()});
+void lay_photographs(const PhotographedRoom& room, int row, int first, std::span<std::uint32_t> with_key,
+                     std::span<std::uint32_t> without_key) {
+    // Reused: shading asks for many short parts.
+    thread_local std::vector<std::uint32_t> scratch;
+    const auto texels = static_cast<std::size_t>(room.photographs->key.width()) + 1;
+    scratch.resize(std::max(scratch.size(), texels + with_key.size()));
+    const auto begin = static_cast<std::size_t>(first);
+    lay({.room = room,
+         .row = row,
+         .first = begin,
+         .end = begin + with_key.size(),
+         .mixed = std::span(scratch).first(texels)},
+        with_key.data(), without_key.data(), scratch.data() + texels);
 }
 
 }  // namespace onggi::render

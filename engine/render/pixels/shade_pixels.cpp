@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <vector>
 
 #include "engine/math/wide_vectors.h"
 #include "shaders/curve.h"
@@ -85,21 +86,27 @@ static_assert(std::endian::native == std::endian::little);
     return static_cast<std::uint32_t>(static_cast<int>(shown * 255.0F + 0.5F));
 }
 
-[[gnu::always_inline]] inline void shade_block(const ShadeLayers& layers, const ShadowMask& mask,
-                                               const ShadeLight& light, bool is_day, std::size_t first,
+// Both layers from one pixel of a row on.
+struct LayerRow {
+    const std::uint32_t* with_key;
+    const std::uint32_t* without_key;
+};
+
+[[gnu::always_inline]] inline void shade_block(const LayerRow& own, const std::uint32_t* places,
+                                               const ShadowMask& mask, const ShadeLight& light, bool is_day,
                                                std::uint32_t* into) {
     constexpr float kOneOver255 = 1.0F / 255.0F;
     constexpr float kOneOverMixed = kOneOver255 / 65536.0F;
     MaskAbout about;
-    const bool is_unshaded = read_mask(mask, layers.places.data() + first, about);
+    const bool is_unshaded = read_mask(mask, places, about);
     if (is_unshaded && is_day) {
-        std::memcpy(into + first, layers.with_key.data() + first, kBlock * sizeof(std::uint32_t));
+        std::memcpy(into, own.with_key, kBlock * sizeof(std::uint32_t));
         return;
     }
     Lanes<std::uint32_t> with_key;
     Lanes<std::uint32_t> without_key;
-    std::memcpy(with_key.data(), layers.with_key.data() + first, sizeof(with_key));
-    std::memcpy(without_key.data(), layers.without_key.data() + first, sizeof(without_key));
+    std::memcpy(with_key.data(), own.with_key, sizeof(with_key));
+    std::memcpy(without_key.data(), own.without_key, sizeof(without_key));
     Lanes<std::uint32_t> out;
     for (std::size_t i = 0; i < kBlock; ++i) {
         // The four texels interpolated, times 65536. This keeps full precision: where little is left of a
@@ -125,32 +132,60 @@ static_assert(std::endian::native == std::endian::little);
         }
         out[i] = shaded;
     }
-    std::memcpy(into + first, out.data(), sizeof(out));
+    std::memcpy(into, out.data(), sizeof(out));
 }
 
 // Prefetches what a block reads and writes: rows of a picture are too far apart for the hardware prefetcher.
 [[gnu::always_inline]] inline void fetch_block(const ShadeLayers& layers, std::size_t first,
                                                std::uint32_t* into) {
     __builtin_prefetch(layers.places.data() + first);
-    __builtin_prefetch(layers.with_key.data() + first);
-    __builtin_prefetch(layers.without_key.data() + first);
+    if (layers.room.photographs == nullptr) {
+        __builtin_prefetch(layers.with_key.data() + first);
+        __builtin_prefetch(layers.without_key.data() + first);
+    }
     __builtin_prefetch(into + first, 1);
+}
+
+// Scratch memory for part of a row of a photographed room's layers.
+struct LaidRow {
+    std::vector<std::uint32_t> with_key;
+    std::vector<std::uint32_t> without_key;
+
+    void resize(std::size_t pixels) {
+        with_key.resize(pixels);
+        without_key.resize(pixels);
+    }
+};
+
+// The layers of a row from pixel `left` on, as many pixels as `laid` has room for.
+LayerRow layer_row(const ShadeLayers& layers, int y, std::size_t left, LaidRow& laid) {
+    const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(layers.width) + left;
+    if (layers.room.photographs == nullptr)
+        return {layers.with_key.data() + first, layers.without_key.data() + first};
+    for (std::size_t i = 0; i < laid.without_key.size(); ++i)
+        laid.without_key[i] = std::uint32_t{layers.weights[first + i]} << 24U;
+    lay_photographs(layers.room, y, static_cast<int>(left), laid.with_key, laid.without_key);
+    return {laid.with_key.data(), laid.without_key.data()};
 }
 
 // Shades whole blocks only: the last block of a line starts earlier, and a rectangle narrower than a block is
 // shaded with its neighbours.
 ONGGI_WIDE_VECTORS void shade_rect(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
-                                   const PixelRect& rect, std::uint32_t* into) {
+                                   const PixelRect& rect, LaidRow& laid, std::uint32_t* into) {
     const bool is_day = light == ShadeLight{};
     const auto width = static_cast<std::size_t>(layers.width);
-    const auto left = static_cast<std::size_t>(rect.x);
     const auto right = std::max(static_cast<std::size_t>(rect.x + rect.width), kBlock);
-    const auto bottom = static_cast<std::size_t>(rect.y + rect.height);
-    for (auto y = static_cast<std::size_t>(rect.y); y < bottom; ++y) {
-        for (std::size_t x = left; x < right; x += kBlock) {
-            const std::size_t first = y * width + std::min(x, right - kBlock);
-            if (y + 1 < bottom) fetch_block(layers, first + width, into);
-            shade_block(layers, mask, light, is_day, first, into);
+    const std::size_t left = std::min(static_cast<std::size_t>(rect.x), right - kBlock);
+    const int bottom = rect.y + rect.height;
+    laid.resize(right - left);
+    for (int y = rect.y; y < bottom; ++y) {
+        const LayerRow row = layer_row(layers, y, left, laid);
+        const std::size_t begin = static_cast<std::size_t>(y) * width;
+        for (std::size_t x = static_cast<std::size_t>(rect.x); x < right; x += kBlock) {
+            const std::size_t at = std::min(x, right - kBlock);
+            if (y + 1 < bottom) fetch_block(layers, begin + at + width, into);
+            shade_block({row.with_key + (at - left), row.without_key + (at - left)},
+                        layers.places.data() + begin + at, mask, light, is_day, into + begin + at);
         }
     }
 }
@@ -168,12 +203,16 @@ void turn_into_places(std::span<std::uint32_t> packed_coords) {
 
 void shade_pixels(const ShadeLayers& layers, const ShadowMask& mask, const ShadeLight& light,
                   std::span<const PixelRect> rects, std::span<std::uint32_t> into) {
+    LaidRow laid;
     if (layers.width < kShadeBlockPx) {
-        std::copy(layers.with_key.begin(), layers.with_key.end(), into.begin());
+        laid.resize(static_cast<std::size_t>(layers.width));
+        for (int y = 0; y < layers.height; ++y)
+            std::copy_n(layer_row(layers, y, 0, laid).with_key, layers.width,
+                        into.begin() + y * layers.width);
         return;
     }
     for (const PixelRect& rect : rects)
-        shade_rect(layers, mask, light, rect, into.data());
+        shade_rect(layers, mask, light, rect, laid, into.data());
 }
 
 }  // namespace onggi::render

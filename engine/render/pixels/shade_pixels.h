@@ -6,19 +6,24 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/render/pixels/photograph_layers.h"
 #include "engine/render/pixels/shadow_mask.h"
 #include "engine/render/shapes/tiles.h"
 
 namespace onggi::render {
 
 // The layers of a still life in full light; texels of four bytes, rows of `width` without gaps: with the key
-// light; without it (alpha: the weight of the sky's shade); and each pixel's place in the shadow mask.
+// light; without it (alpha: the weight of the sky's shade); and each pixel's place in the shadow mask. Of a
+// photographed room the first two are not kept: they are taken from the photographs where they are needed,
+// and the weight of the sky's shade has a layer of its own.
 struct ShadeLayers {
     int width = 0;
     int height = 0;
     std::span<const std::uint32_t> with_key;
     std::span<const std::uint32_t> without_key;
     std::span<const std::uint32_t> places;  // see mask_place()
+    PhotographedRoom room{};                // without photographs: the layers are kept
+    std::span<const std::uint8_t> weights{};
 };
 
 // Light levels, 1: full light. `ambient` is everything except the key light, in the byte order of a texel.

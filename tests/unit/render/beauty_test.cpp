@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/math/eight_bits.h"
+#include "engine/math/light.h"
 
 namespace onggi::render {
 namespace {
@@ -36,6 +37,13 @@ TEST(EightBits, RoundsAsTheLibraryDoes) {
             const auto rounded = std::lround(255.0F * std::clamp(fraction, 0.0F, 1.0F));
             ASSERT_EQ(eight_bits(fraction), static_cast<std::uint8_t>(rounded)) << fraction;
         }
+    }
+}
+
+TEST(SrgbByte, IsThatOfTheCurve) {
+    for (int step = -100; step <= 1100 * 1000; ++step) {
+        const float light = static_cast<float>(step) * 1e-6F;
+        ASSERT_EQ(srgb_byte(light), eight_bits(srgb_from_linear(light))) << light;
     }
 }
 

@@ -39,6 +39,10 @@ class LathePixels : public TrianglePixels {
     }
     void draw(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices,
               std::size_t plain) {
+        draw(corners, indices, plain, {.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
+    }
+    void draw(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices, std::size_t plain,
+              const PictureCanvas& canvas) {
         draw_lathe(corners, indices, plain,
                    {.frame = frame_,
                     .draw = draw_,
@@ -47,7 +51,7 @@ class LathePixels : public TrianglePixels {
                     .streak_size = {4, 4},
                     .order = order_,
                     .shows_load = shows_load_},
-                   {.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
+                   canvas);
     }
     void draw(std::span<const LatheCorner> corners, std::span<const std::uint16_t> indices) {
         draw(corners, indices, indices.size());
@@ -96,6 +100,21 @@ TEST_F(LathePixels, AreThoseWhoseMiddleATriangleHoldsThatLooksAtTheEye) {
         draw(corners, std::array<std::uint16_t, 3>{0, 1, 2});
     });
     EXPECT_GT(covered, 20000);
+}
+
+TEST_F(LathePixels, AreTheSameInBands) {
+    std::vector<LatheCorner> corners = sheet();
+    for (LatheCorner& own : corners) {
+        own.values[value::kAmbient] = 0.0013F * (own.at_px.x + 50.0F);
+        own.values[value::kAmbient + 1] = 0.0017F * (own.at_px.y + 50.0F);
+        own.values[value::kDepth] = 0.3F + 0.0011F * own.at_px.x + 0.0001F * own.at_px.y;
+    }
+    // Over the right border, with slanting edges inside.
+    corners[0].at_px = {20.3F, 0.6F};
+    corners[1].at_px = {2.1F, 42.2F};
+    corners[2].at_px = {150.0F, 20.4F};
+    expect_the_same_in_bands(
+        [&](const PictureCanvas& canvas) { draw(corners, std::span(kSheet).first(3), 3, canvas); });
 }
 
 TEST_F(LathePixels, GrowEvenlyBetweenTheCornersWhicheverBlockTheyAreIn) {

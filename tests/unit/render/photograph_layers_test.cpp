@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <vector>
 
 namespace onggi::render {
@@ -32,9 +33,15 @@ class LaidPhotographs : public testing::Test {
         width_ = width;
         with_key_.assign(static_cast<std::size_t>(width * height), 0U);
         without_key_.assign(with_key_.size(), 0x55000000U);
-        // In two parts, as one frame after another lays them.
-        for (const RowSpan rows : {RowSpan{0, height / 3}, RowSpan{height / 3, height}})
-            lay_photographs(background_, window, width, rows, with_key_, without_key_);
+        const PhotographedRoom room{&background_, window, width};
+        for (int row = 0; row < height; ++row)
+            take(room, row, 0, width, with_key_, without_key_);
+    }
+    static void take(const PhotographedRoom& room, int row, int first, int end,
+                     std::span<std::uint32_t> with_key, std::span<std::uint32_t> without_key) {
+        const auto begin = static_cast<std::size_t>(row * room.width_px + first);
+        const auto count = static_cast<std::size_t>(end - first);
+        lay_photographs(room, row, first, with_key.subspan(begin, count), without_key.subspan(begin, count));
     }
     static int byte(std::uint32_t texel, unsigned at) {
         return static_cast<int>((texel >> (8U * at)) & 255U);
@@ -91,6 +98,29 @@ TEST_F(LaidPhotographs, GoOnDarkerAsTheirMirrorImageBesideTheirBorder) {
     EXPECT_NEAR(byte(lit(kLeft - 2, 30), 1), 60, 2) << "at the border it is hardly darker";
     EXPECT_LT(byte(lit(kLeft - 30, 30), 1), 40);
     EXPECT_LT(byte(lit(2, 30), 1), byte(lit(kLeft - 30, 30), 1));
+}
+
+// As they are, stretched and beside the photographs; parts begin and end within and across the pieces of a
+// row.
+TEST_F(LaidPhotographs, AreTheSameInParts) {
+    constexpr int kWidth = 700;
+    for (const vec4 window : {vec4(1.0F / kLaidAcross, 1.0F / kLaidDown, 0.0F, 0.0F),
+                              vec4(0.9F / kWidth, 1.0F / kLaidDown, 0.05F, 0.0F),
+                              vec4(1.4F / kWidth, 1.0F / kLaidDown, -0.2F, 0.1F)}) {
+        lay(window, kWidth, kLaidDown);
+        const PhotographedRoom room{&background_, window, kWidth};
+        std::vector<std::uint32_t> with_key(with_key_.size(), 0U);
+        std::vector<std::uint32_t> without_key(with_key_.size(), 0x55000000U);
+        for (int row = 0; row < kLaidDown; ++row) {
+            int first = 0;
+            for (const int end : {1, 37, 255, 300, 513, kWidth}) {
+                take(room, row, first, end, with_key, without_key);
+                first = end;
+            }
+        }
+        EXPECT_EQ(with_key, with_key_);
+        EXPECT_EQ(without_key, without_key_);
+    }
 }
 
 TEST_F(LaidPhotographs, KeepTheirByteOrder) {

@@ -84,6 +84,21 @@ TEST_F(PropPixels, SpreadColoursEvenlyBetweenTheCorners) {
     }
 }
 
+TEST_F(PropPixels, AreTheSameInBands) {
+    std::vector<PropCorner> corners = sheet(0.5F, 50.0F);
+    for (PropCorner& own : corners) {
+        own.values[0] += 0.7F * own.at_px.x;
+        own.values[1] += 0.9F * own.at_px.y;
+        own.depth += 0.0011F * own.at_px.x + 0.0007F * own.at_px.y;
+    }
+    // Over the right border, with slanting edges inside.
+    corners[0].at_px = {20.3F, 0.6F};
+    corners[1].at_px = {2.1F, 42.2F};
+    corners[2].at_px = {150.0F, 20.4F};
+    expect_the_same_in_bands(
+        [&](const PictureCanvas& canvas) { draw_triangles(corners, std::span(kSheet).first(3), canvas); });
+}
+
 TEST_F(PropPixels, ShowTheNearestSurface) {
     draw(sheet(0.6F, 60.0F), kSheet);
     draw(sheet(0.4F, 40.0F), kSheet);

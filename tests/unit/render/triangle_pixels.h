@@ -74,6 +74,30 @@ class TrianglePixels : public ::testing::Test {
         return covered;
     }
 
+    // Draws on a cleared picture: whole, then in bands that each have memory up to their last row alone, the
+    // lowest band first. `draw` takes the canvas.
+    template <typename Draw>
+    void expect_the_same_in_bands(Draw draw) {
+        clear();
+        draw(PictureCanvas{.size = {kWidth, kHeight}, .pixels = pixels_, .depth = depth_});
+        const std::vector<std::uint32_t> pixels = pixels_;
+        const std::vector<float> depth = depth_;
+        EXPECT_GT(std::count(pixels.begin(), pixels.end(), kUntouched), 500);
+        EXPECT_LT(std::count(pixels.begin(), pixels.end(), kUntouched), 1500);
+        clear();
+        for (const RowSpan rows : {RowSpan{25, kHeight}, RowSpan{24, 25}, RowSpan{7, 24}, RowSpan{0, 7}}) {
+            const std::ptrdiff_t end = std::ptrdiff_t{rows.end} * kWidth;
+            std::vector<std::uint32_t> own_pixels(pixels_.begin(), pixels_.begin() + end);
+            std::vector<float> own_depth(depth_.begin(), depth_.begin() + end);
+            draw(PictureCanvas{
+                .size = {kWidth, kHeight}, .pixels = own_pixels, .depth = own_depth, .rows = rows});
+            std::copy(own_pixels.begin(), own_pixels.end(), pixels_.begin());
+            std::copy(own_depth.begin(), own_depth.end(), depth_.begin());
+        }
+        EXPECT_EQ(pixels_, pixels);
+        EXPECT_EQ(depth_, depth);
+    }
+
     static constexpr int kWidth = 61;
     static constexpr int kHeight = 43;
     std::vector<std::uint32_t> pixels_ =
