@@ -96,9 +96,10 @@ render::PropMesh thinned(const render::PropMesh& mesh) {
 }
 
 render::PropModel thinned(const render::PropModel& model) {
+    constexpr std::size_t kFew = 1000;  // triangles: a sleeve's, whose folds and edge need them all
     render::PropModel thin;
     for (const render::PropMesh& mesh : model.meshes)
-        thin.meshes.push_back(thinned(mesh));
+        thin.meshes.push_back(mesh.indices.size() / 3 < kFew ? mesh : thinned(mesh));
     render::measure(thin);
     return thin;
 }

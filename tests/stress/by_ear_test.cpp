@@ -313,6 +313,8 @@ class ByDeviceAndEar : private Service, public ByEar {
     bool chooses(std::string_view words) override {
         constexpr int kMostButtons = 30;
         constexpr double kANameS = 10.0;
+        constexpr double kLowMm = 100.0;  // an arm does not rise without end
+        moves({0.0, kLowMm - hand_mm_.y, 0.0});
         if (kiosk.state().screen == kiosk::Screen::kThrow && kiosk.state().panel == kiosk::Panel::kNone &&
             !goes_until({0.0, 25.0, 0.0}, 12, "At the buttons", 120.0))
             return false;
