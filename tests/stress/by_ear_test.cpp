@@ -321,8 +321,8 @@ class ByDeviceAndEar : private Service, public ByEar {
         waits(0.4);
         for (int i = 0; i < kMostButtons; ++i) {
             strokes({45.0, 0.0, 0.0});
-            if (!hears({}, kANameS)) return false;
-            if (!has(all.back(), words)) continue;
+            // Who hears nothing strokes again.
+            if (!hears({}, kANameS) || !has(all.back(), words)) continue;
             strokes({0.0, 45.0, 0.0});
             return true;
         }

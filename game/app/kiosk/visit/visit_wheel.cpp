@@ -201,9 +201,10 @@ void VisitWheel::move_hand(const VisitMoment& moment) {
                                             .water = throwing.water,
                                             .speed = throwing.speed},
                                            *moment.snapshot.pot, moment.clay_s);
-    // A ball alone presses a wall in, but does not thin it: the other hand is opposite.
+    // A ball alone presses a wall in, but does not thin it. For a visitor by ear the other hand is opposite.
     constexpr double kAssistGapMm = 4.0;
-    if (!parts_.devices.holder().empty() && !trims) tool.assist_gap_mm = kAssistGapMm;
+    const bool by_ear = flow_.state().comfort.speech;
+    if (by_ear && !parts_.devices.holder().empty() && !trims) tool.assist_gap_mm = kAssistGapMm;
     tool.wheel_button = step.turns_wheel && flow_.state().panel != Panel::kIdle;
     parts_.pointer.set_target(tool);
     soak(moment);
