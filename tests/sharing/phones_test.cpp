@@ -73,6 +73,7 @@ class Phones {
         if (thread_.joinable()) thread_.join();
     }
     [[nodiscard]] long files() const { return fetched_; }
+    [[nodiscard]] long asked_again() const { return asked_again_; }
     [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
   private:
@@ -88,14 +89,26 @@ class Phones {
         constexpr std::uint32_t kFirstAddress = 0x7f010001;
         constexpr int kWaitMs = 30'000;
         std::vector<std::unique_ptr<HttpClient>> phones;
-        for (std::uint32_t i = 0; i < kPhones; ++i)
-            phones.push_back(std::make_unique<HttpClient>(port, kWaitMs, kFirstAddress + i));
+        const auto connect = [&](std::size_t phone) {
+            return std::make_unique<HttpClient>(port, kWaitMs,
+                                                kFirstAddress + static_cast<std::uint32_t>(phone));
+        };
+        for (std::size_t i = 0; i < kPhones; ++i)
+            phones.push_back(connect(i));
         for (const auto& [name, bytes] : files_) {
             const std::string request = "GET /" + code + "/" + name + " HTTP/1.1\r\nHost: pots\r\n\r\n";
             for (const auto& phone : phones)
                 phone->say(request);
-            for (const auto& phone : phones) {
-                const HttpAnswer answer = phone->answer();
+            for (std::size_t i = 0; i < phones.size(); ++i) {
+                HttpAnswer answer = phones[i]->answer();
+                // In a crowd the server closes connections that are silent for a second, as phones of idle
+                // priority may be; a browser then asks again on a new one (RFC 9112, 9.3.1).
+                if (answer.status == 0) {
+                    phones[i] = connect(i);
+                    phones[i]->say(request);
+                    answer = phones[i]->answer();
+                    ++asked_again_;
+                }
                 if (answer.status != 200 || answer.body != bytes) {
                     trouble_ = fmt::format("{}: expected {} bytes, found status {} with {}", name,
                                            bytes.size(), answer.status, answer.body.size());
@@ -109,6 +122,7 @@ class Phones {
     const std::map<std::string, std::string>& files_;
     std::atomic<bool> leaving_ = false;
     std::atomic<long> fetched_ = 0;
+    std::atomic<long> asked_again_ = 0;
     std::string trouble_;  // belongs to the thread until it is joined
     std::thread thread_;
 };
@@ -164,6 +178,7 @@ TEST(Phones, TwoHundredAtOnceDelayNeitherTheWheelNorThePicture) {
     std::vector<Times> alone;
     std::vector<Times> beside;
     long fetched = 0;
+    long asked_again = 0;
     // Short times on a machine that is shared by others are coarse, so a part of the period of 250 us is
     // tolerated beside the ratio. The phones' copying takes caches and units of a core that is one of two
     // threads, and the kernel finishes its own part of a phone's request before it wakes the wheel.
@@ -185,13 +200,15 @@ TEST(Phones, TwoHundredAtOnceDelayNeitherTheWheelNorThePicture) {
         phones.leave();
         EXPECT_EQ(phones.trouble(), "");
         fetched += phones.files();
+        asked_again += phones.asked_again();
     }
     for (const auto& [name, turns] : {std::pair{"alone", &alone}, {"beside phones", &beside}})
         for (const Times& turn : *turns)
             fmt::print("{}: tick {:.2f} us, woken {:.1f} us late, frame {:.2f} ms (p99 each)\n", name,
                        turn.tick_us, turn.wake_us, turn.frame_ms);
     const double memory_mb = most_memory_mb(served.server().process());
-    fmt::print("{} files to {} phones; the server held {:.1f} MB at most\n", fetched, kPhones, memory_mb);
+    fmt::print("{} files to {} phones, {} asked for again; the server held {:.1f} MB at most\n", fetched,
+               kPhones, asked_again, memory_mb);
     EXPECT_GE(fetched, static_cast<long>(kPhones * files.size())) << "less than everything to each";
     EXPECT_GT(memory_mb, 0.0);
     EXPECT_LE(memory_mb, 64.0);
