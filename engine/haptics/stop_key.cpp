@@ -17,8 +17,8 @@ namespace onggi::haptics {
 namespace {
 
 constexpr std::array<std::uint16_t, 2> kStopKeys{KEY_PAUSE, KEY_STOP};
-constexpr int kWaitMs =
-    100;  // a key press ends the wait at once; in between, the thread looks whether it shall end
+// A key press ends the wait at once. After it the thread looks whether it shall end.
+constexpr int kWaitMs = 100;
 constexpr std::size_t kMostKeyboards = 16;
 
 bool has_a_stop_key(int file) {
