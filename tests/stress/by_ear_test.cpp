@@ -1,22 +1,19 @@
 // Visitors who see nothing: they decide by the words that reach the synthesiser alone, and press keys, from
 // the attract screen to a kept pot, which must be a good one. One works the buttons by keys, one throws with
-// the arrow keys and Enter alone, one by a single switch, one moves a force device alone.
+// the arrow keys and Enter alone, one by a single switch.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <initializer_list>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "engine/haptics/haply/inverse_session.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "tests/stress/unseen_kiosk.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/unit/haply/fake_service.h"
 #include "tests/visitors/judge.h"
 
 namespace onggi::app {
@@ -60,7 +57,7 @@ bool has(const std::string& text, std::string_view words) {
 // gives little of.
 constexpr double kFrameS = 1.0 / 120.0;
 
-class ByEar : public ::testing::Test {
+class ByEar : public testing::Test {
   protected:
     // Waits for up to that many seconds of the visit until a line with these words was said to its end: what
     // another line cuts off is not understood. What was said before does not count again.
@@ -109,8 +106,6 @@ class ByEar : public ::testing::Test {
         return std::any_of(all.begin(), all.end(), [&](const auto& line) { return has(line, words); }) ||
                hears(words, within_s);
     }
-    // What wakes the kiosk.
-    virtual void wakes() { presses(first_key()); }
     // What to do to come to a button, and to press it.
     virtual bool chooses(std::string_view words) = 0;
 
@@ -120,9 +115,9 @@ class ByEar : public ::testing::Test {
     // From the attract screen to the clay, and from the finished pot to the shelf.
     void comes() {
         ASSERT_TRUE(hears("Touch anywhere, press any key", 20.0));
-        wakes();
+        presses(first_key());
         ASSERT_TRUE(hears("What will you make?", 20.0));
-        ASSERT_TRUE(hears(says_where_, 60.0)) << "how to go on";
+        ASSERT_TRUE(hears("W says where you are", 30.0)) << "how to go on";
         ASSERT_TRUE(chooses("As you like"));
         ASSERT_TRUE(hears("Step one of three", 20.0));
     }
@@ -174,14 +169,9 @@ class ByEar : public ::testing::Test {
             fmt::print("  \"{}\"\n", line);
     }
 
-    explicit ByEar(std::optional<int> inverse_port = {})
-        : kiosk(folder.path(),
-                {.config = english(), .speech = ear.synthesiser(), .inverse_port = inverse_port}) {}
-
     const test::TemporaryFolder folder;
     Ear ear;
-    UnseenKiosk kiosk;
-    std::string says_where_ = "W says where you are";
+    UnseenKiosk kiosk{folder.path(), {.config = english(), .speech = ear.synthesiser()}};
     std::vector<std::string> all;  // that was said to its end
     std::size_t taken = 0;         // of them were acted on
     std::string saying;            // what is being said
@@ -267,74 +257,6 @@ TEST_F(ByArrowsAndEar, AVisitorThrowsAndKeepsAGoodPot) {
     ASSERT_TRUE(until_heard(Key::kUp, 1, "Over the middle"));
     ASSERT_TRUE(until_heard(Key::kDown, 4, "Step three"));
     ASSERT_TRUE(until_heard(Key::kUp, 4, "16 centimetres"));
-    ASSERT_NO_FATAL_FAILURE(ends());
-    expect_good_pot();
-}
-
-struct Service {
-    testing::FakeService service;
-};
-
-class ByDeviceAndEar : private Service, public ByEar {
-  protected:
-    ByDeviceAndEar() : ByEar(service.port()) { says_where_ = "A stroke towards you says where you are"; }
-    // The hand goes there in a straight line, with the ears open. mm, mm/s.
-    void moves(const dvec3& by_mm, double mm_s = 120.0) {
-        constexpr double kStepS = 0.02;
-        const int steps = std::max(1, static_cast<int>(glm::length(by_mm) / (mm_s * kStepS)));
-        for (int i = 0; i < steps; ++i) {
-            hand_mm_ += by_mm / static_cast<double>(steps);
-            service.put_cursor_m(haptics::haply::service_from_wheel(hand_mm_) * 1e-3);
-            kiosk.passes(kStepS);
-            listens();
-        }
-    }
-    // The tip moves within a pot's height of the clay by a step at a time, until the words are heard.
-    bool goes_until(const dvec3& step_mm, int most_steps, std::string_view words, double mm_s = 60.0) {
-        constexpr double kListensS = 2.5;
-        for (int i = 0; i < most_steps; ++i) {
-            taken = all.size();
-            moves(step_mm, mm_s);
-            if (hears(words, kListensS)) return true;
-        }
-        return false;
-    }
-    void strokes(const dvec3& by_mm) {
-        taken = all.size();
-        saying.clear();
-        moves(by_mm, 200.0);
-        moves(-by_mm, 200.0);
-        waits(0.4);
-    }
-    void wakes() override {
-        moves({30.0, 0.0, 0.0});
-        moves({-30.0, 0.0, 0.0});
-    }
-    bool chooses(std::string_view words) override {
-        constexpr int kMostButtons = 30;
-        constexpr double kANameS = 10.0;
-        constexpr double kLowMm = 100.0;  // an arm does not rise without end
-        moves({0.0, kLowMm - hand_mm_.y, 0.0});
-        if (kiosk.state().screen == kiosk::Screen::kThrow && kiosk.state().panel == kiosk::Panel::kNone &&
-            !goes_until({0.0, 25.0, 0.0}, 12, "At the buttons", 120.0))
-            return false;
-        waits(0.4);
-        for (int i = 0; i < kMostButtons; ++i) {
-            strokes({45.0, 0.0, 0.0});
-            // Who hears nothing strokes again.
-            if (!hears({}, kANameS) || !has(all.back(), words)) continue;
-            strokes({0.0, 45.0, 0.0});
-            return true;
-        }
-        return false;
-    }
-    dvec3 hand_mm_{0.0, 100.0, 100.0};  // as the service begins
-};
-
-TEST_F(ByDeviceAndEar, DISABLED_AVisitorWhoIsShownEachStepKeepsAGoodPot) {
-    ASSERT_NO_FATAL_FAILURE(comes());
-    ASSERT_TRUE(hears("The device in your hand", 90.0));
-    ASSERT_NO_FATAL_FAILURE(throws());
     ASSERT_NO_FATAL_FAILURE(ends());
     expect_good_pot();
 }

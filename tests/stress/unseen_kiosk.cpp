@@ -48,8 +48,7 @@ struct UnseenKiosk::Parts {
         if (options.shows) show = load_show({start, options.forgiving}, remarks);
         EXPECT_TRUE(remarks.empty());
         auto first = std::make_unique<DemonstrationDevice>(std::move(device), show.recordings, kRateHz);
-        auto made = AttachedDevices::make(options.inverse_port ? "inverse3" : "mouse", std::move(first),
-                                          false, {.port = options.inverse_port.value_or(0)});
+        auto made = AttachedDevices::make("mouse", std::move(first), false);
         EXPECT_TRUE(made);
         devices = std::make_unique<AttachedDevices>(std::move(*made));
         job = std::make_unique<haptic::HapticJob>(start, parameters, devices->take(),

@@ -47,7 +47,6 @@ struct UnseenOptions {
     std::function<int()> minute_of_day = {};  // none: the machine's
     KioskSound::MakePlace loudspeaker = {};   // none: no sound
     KioskVoice::Synthesise speech = {};       // none: nothing is spoken
-    std::optional<int> inverse_port = {};  // where a Haply Inverse3's service listens; none: no such device
 };
 
 // ONGGI_LOOK=FOLDER: saves pictures of a visit's steps, large enough to inspect; see UnseenKiosk::look().

@@ -90,9 +90,8 @@ void AttachedDevices::add(HidKind kind, const std::string& only,
     devices.push_back(std::move(device));
 }
 
-void AttachedDevices::add_inverse(const haptics::haply::InverseOptions& inverse,
-                                  std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
-    auto device = std::make_unique<haptics::InverseDevice>(inverse);
+void AttachedDevices::add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
+    auto device = std::make_unique<haptics::InverseDevice>();
     haptics::InverseDevice& watched = *device;
     tools_.push_back({.word = "Haply Inverse3",
                       .status = [&watched]() -> const haptics::hid::HidStatus& { return watched.status(); },
@@ -102,8 +101,7 @@ void AttachedDevices::add_inverse(const haptics::haply::InverseOptions& inverse,
 
 Result<AttachedDevices> AttachedDevices::make(const std::string& word,
                                               std::unique_ptr<haptic::ToolDevice> first,
-                                              bool first_is_a_recording,
-                                              const haptics::haply::InverseOptions& inverse) {
+                                              bool first_is_a_recording) {
     AttachedDevices made;
     std::vector<std::unique_ptr<haptics::HapticDevice>> devices;
     made.first_ = first.get();
@@ -121,7 +119,7 @@ Result<AttachedDevices> AttachedDevices::make(const std::string& word,
             has_pedal = true;
         }
         if (word == kAuto || word == kInverse) {
-            made.add_inverse(inverse, devices);
+            made.add_inverse(devices);
             has_pedal = true;
         }
     }

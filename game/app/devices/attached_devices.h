@@ -9,7 +9,6 @@
 
 #include "engine/core/result.h"
 #include "engine/haptics/device_group.h"
-#include "engine/haptics/haply/inverse_session.h"
 #include "engine/haptics/hid/hid_device.h"
 #include "game/haptic/tool_device.h"
 
@@ -25,10 +24,8 @@ class AttachedDevices {
   public:
     // `first` is always present. A recording yields the tool to any device that is moved. System lacks: the
     // device named by node or numbers is not plugged in or not supported.
-    // `inverse`: where the service of the Inverse3 listens.
     static Result<AttachedDevices> make(const std::string& word, std::unique_ptr<haptic::ToolDevice> first,
-                                        bool first_is_a_recording,
-                                        const haptics::haply::InverseOptions& inverse = {});
+                                        bool first_is_a_recording);
 
     // Passes the devices to the haptic job; call it once. The job owns them: do not call the functions below
     // after its end.
@@ -75,8 +72,7 @@ class AttachedDevices {
     AttachedDevices() = default;
     void add(haptics::HidKind kind, const std::string& only,
              std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
-    void add_inverse(const haptics::haply::InverseOptions& inverse,
-                     std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
+    void add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
 
     std::unique_ptr<haptics::DeviceGroup> group_;
     const haptics::DeviceGroup* watched_group_ = nullptr;
