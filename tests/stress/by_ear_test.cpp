@@ -1,16 +1,19 @@
 // Visitors who see nothing: they decide by the words that reach the synthesiser alone, and press keys, from
 // the attract screen to a kept pot, which must be a good one. One works the buttons by keys, one throws with
-// the arrow keys and Enter alone, one by a single switch.
+// the arrow keys and Enter alone, one by a single switch, one moves a force device alone.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <initializer_list>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/haptics/control_sense.h"
+#include "engine/jobs/mailbox.h"
 #include "game/app/kiosk/gallery/kiosk_gallery.h"
 #include "tests/stress/unseen_kiosk.h"
 #include "tests/support/temporary_folder.h"
@@ -106,6 +109,8 @@ class ByEar : public testing::Test {
         return std::any_of(all.begin(), all.end(), [&](const auto& line) { return has(line, words); }) ||
                hears(words, within_s);
     }
+    // What wakes the kiosk.
+    virtual void wakes() { presses(first_key()); }
     // What to do to come to a button, and to press it.
     virtual bool chooses(std::string_view words) = 0;
 
@@ -115,9 +120,9 @@ class ByEar : public testing::Test {
     // From the attract screen to the clay, and from the finished pot to the shelf.
     void comes() {
         ASSERT_TRUE(hears("Touch anywhere, press any key", 20.0));
-        presses(first_key());
+        wakes();
         ASSERT_TRUE(hears("What will you make?", 20.0));
-        ASSERT_TRUE(hears("W says where you are", 30.0)) << "how to go on";
+        ASSERT_TRUE(hears(says_where_, 60.0)) << "how to go on";
         ASSERT_TRUE(chooses("As you like"));
         ASSERT_TRUE(hears("Step one of three", 20.0));
     }
@@ -169,9 +174,13 @@ class ByEar : public testing::Test {
             fmt::print("  \"{}\"\n", line);
     }
 
+    explicit ByEar(std::optional<OtherDevice> arm = {})
+        : kiosk(folder.path(), {.config = english(), .speech = ear.synthesiser()}, std::move(arm)) {}
+
     const test::TemporaryFolder folder;
     Ear ear;
-    UnseenKiosk kiosk{folder.path(), {.config = english(), .speech = ear.synthesiser()}};
+    UnseenKiosk kiosk;
+    std::string says_where_ = "W says where you are";
     std::vector<std::string> all;  // that was said to its end
     std::size_t taken = 0;         // of them were acted on
     std::string saying;            // what is being said
@@ -257,6 +266,110 @@ TEST_F(ByArrowsAndEar, AVisitorThrowsAndKeepsAGoodPot) {
     ASSERT_TRUE(until_heard(Key::kUp, 1, "Over the middle"));
     ASSERT_TRUE(until_heard(Key::kDown, 4, "Step three"));
     ASSERT_TRUE(until_heard(Key::kUp, 4, "16 centimetres"));
+    ASSERT_NO_FATAL_FAILURE(ends());
+    expect_good_pot();
+}
+
+// An arm with three axes of force that is where the visitor's hand is, in the wheel's time.
+class Arm final : public haptics::HapticDevice {
+  public:
+    explicit Arm(jobs::Mailbox<dvec3>& hand_mm) : hand_mm_(hand_mm) {}
+    Result<void> open() override { return {}; }
+    void close() noexcept override {}
+    [[nodiscard]] haptics::DeviceCapabilities capabilities() const override {
+        return {.name = "arm", .force_axes = 3, .peak_force_n = 3.0, .continuous_force_n = 3.0};
+    }
+    [[nodiscard]] haptics::HandSample read(std::uint64_t /*tick*/, double dt_s) noexcept override {
+        const dvec3 hand_mm = hand_mm_.latest();
+        is_moving_ = sense_.moved_to(hand_mm, dt_s);
+        sample_.position_mm = hand_mm + offset_mm_;
+        return sample_;
+    }
+    [[nodiscard]] bool is_moving() const noexcept override { return is_moving_; }
+    void take_over(const dvec3& position_mm) noexcept override {
+        offset_mm_ += position_mm - sample_.position_mm;
+        sample_.position_mm = position_mm;
+    }
+    void write(const dvec3& /*force_n*/) noexcept override {}
+
+  private:
+    jobs::Mailbox<dvec3>& hand_mm_;
+    haptics::ControlSense sense_{1.5};
+    haptics::HandSample sample_;
+    dvec3 offset_mm_{0.0};
+    bool is_moving_ = false;
+};
+
+struct Hand {
+    OtherDevice arm() {
+        return {.word = "Arm",
+                .device = std::make_unique<Arm>(place_mm),
+                .status = [this]() -> const haptics::hid::HidStatus& { return status; }};
+    }
+    jobs::Mailbox<dvec3> place_mm;
+    haptics::hid::HidStatus status{.state = haptics::hid::HidStatus::State::kReady, .name = "Arm"};
+};
+
+class ByDeviceAndEar : private Hand, public ByEar {
+  protected:
+    ByDeviceAndEar() : ByEar(arm()) { says_where_ = "A stroke towards you says where you are"; }
+    // The hand goes there in a straight line, with the ears open. mm, mm/s.
+    void moves(const dvec3& by_mm, double mm_s = 120.0) {
+        constexpr double kStepS = 0.02;
+        const int steps = std::max(1, static_cast<int>(glm::length(by_mm) / (mm_s * kStepS)));
+        for (int i = 0; i < steps; ++i) {
+            hand_mm_ += by_mm / static_cast<double>(steps);
+            place_mm.put(hand_mm_);
+            kiosk.passes(kStepS);
+            listens();
+        }
+    }
+    // The tip moves within a pot's height of the clay by a step at a time, until the words are heard.
+    bool goes_until(const dvec3& step_mm, int most_steps, std::string_view words, double mm_s = 60.0) {
+        constexpr double kListensS = 2.5;
+        for (int i = 0; i < most_steps; ++i) {
+            taken = all.size();
+            moves(step_mm, mm_s);
+            if (hears(words, kListensS)) return true;
+        }
+        return false;
+    }
+    void strokes(const dvec3& by_mm) {
+        taken = all.size();
+        saying.clear();
+        moves(by_mm, 200.0);
+        moves(-by_mm, 200.0);
+        waits(0.4);
+    }
+    void wakes() override {
+        moves({30.0, 0.0, 0.0});
+        moves({-30.0, 0.0, 0.0});
+    }
+    bool chooses(std::string_view words) override {
+        constexpr int kMostButtons = 30;
+        constexpr double kANameS = 10.0;
+        constexpr double kLowMm = 100.0;  // an arm does not rise without end
+        moves({0.0, kLowMm - hand_mm_.y, 0.0});
+        if (kiosk.state().screen == kiosk::Screen::kThrow && kiosk.state().panel == kiosk::Panel::kNone &&
+            !goes_until({0.0, 50.0, 0.0}, 6, "At the buttons", 120.0))
+            return false;
+        waits(0.4);
+        for (int i = 0; i < kMostButtons; ++i) {
+            strokes({45.0, 0.0, 0.0});
+            // Who hears nothing strokes again.
+            if (!hears({}, kANameS) || !has(all.back(), words)) continue;
+            strokes({0.0, 45.0, 0.0});
+            return true;
+        }
+        return false;
+    }
+    dvec3 hand_mm_{0.0, 100.0, 100.0};
+};
+
+TEST_F(ByDeviceAndEar, AVisitorWhoIsShownEachStepKeepsAGoodPot) {
+    ASSERT_NO_FATAL_FAILURE(comes());
+    ASSERT_TRUE(hears("The device in your hand", 90.0));
+    ASSERT_NO_FATAL_FAILURE(throws());
     ASSERT_NO_FATAL_FAILURE(ends());
     expect_good_pot();
 }

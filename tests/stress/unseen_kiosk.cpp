@@ -23,7 +23,7 @@ UnseenOptions looked_at() {
 }
 
 struct UnseenKiosk::Parts {
-    Parts(const std::filesystem::path& gallery, UnseenOptions options)
+    Parts(const std::filesystem::path& gallery, UnseenOptions options, std::optional<OtherDevice> arm)
         : start(std::move(options.lump)),
           frame_pause(options.real_time ? 16 : 1),
           patience(options.patience) {
@@ -48,7 +48,7 @@ struct UnseenKiosk::Parts {
         if (options.shows) show = load_show({start, options.forgiving}, remarks);
         EXPECT_TRUE(remarks.empty());
         auto first = std::make_unique<DemonstrationDevice>(std::move(device), show.recordings, kRateHz);
-        auto made = AttachedDevices::make("mouse", std::move(first), false);
+        auto made = AttachedDevices::make("mouse", std::move(first), false, std::move(arm));
         EXPECT_TRUE(made);
         devices = std::make_unique<AttachedDevices>(std::move(*made));
         job = std::make_unique<haptic::HapticJob>(start, parameters, devices->take(),
@@ -103,8 +103,9 @@ struct UnseenKiosk::Parts {
     double beat_s = 0.0;
 };
 
-UnseenKiosk::UnseenKiosk(const std::filesystem::path& gallery, UnseenOptions options)
-    : parts_(std::make_unique<Parts>(gallery, std::move(options))) {}
+UnseenKiosk::UnseenKiosk(const std::filesystem::path& gallery, UnseenOptions options,
+                         std::optional<OtherDevice> arm)
+    : parts_(std::make_unique<Parts>(gallery, std::move(options), std::move(arm))) {}
 
 UnseenKiosk::~UnseenKiosk() = default;
 

@@ -15,6 +15,7 @@
 #include "engine/math/math.h"
 #include "engine/window/events.h"
 #include "engine/window/gamepad.h"
+#include "game/app/devices/attached_devices.h"
 #include "game/app/kiosk/kiosk_settings.h"
 #include "game/app/kiosk/presentation/kiosk_sound.h"
 #include "game/app/kiosk/presentation/kiosk_voice.h"
@@ -54,7 +55,9 @@ struct UnseenOptions {
 
 class UnseenKiosk {
   public:
-    explicit UnseenKiosk(const std::filesystem::path& gallery, UnseenOptions options = {});
+    // arm: a device besides the pointer.
+    explicit UnseenKiosk(const std::filesystem::path& gallery, UnseenOptions options = {},
+                         std::optional<OtherDevice> arm = {});
     ~UnseenKiosk();
     UnseenKiosk(const UnseenKiosk&) = delete;
     UnseenKiosk& operator=(const UnseenKiosk&) = delete;

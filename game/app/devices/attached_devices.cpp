@@ -68,6 +68,14 @@ std::string ability_of(const haptics::DeviceCapabilities& device, bool is_pedal)
                        device.force_axes == 1 ? "axis" : "axes", device.peak_force_n);
 }
 
+OtherDevice inverse() {
+    auto device = std::make_unique<haptics::InverseDevice>();
+    haptics::InverseDevice& watched = *device;
+    return {.word = "Haply Inverse3",
+            .device = std::move(device),
+            .status = [&watched]() -> const haptics::hid::HidStatus& { return watched.status(); }};
+}
+
 }  // namespace
 
 bool names_a_device(const std::string& word) {
@@ -90,18 +98,16 @@ void AttachedDevices::add(HidKind kind, const std::string& only,
     devices.push_back(std::move(device));
 }
 
-void AttachedDevices::add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
-    auto device = std::make_unique<haptics::InverseDevice>();
-    haptics::InverseDevice& watched = *device;
-    tools_.push_back({.word = "Haply Inverse3",
-                      .status = [&watched]() -> const haptics::hid::HidStatus& { return watched.status(); },
-                      .ability = ability_of(watched.capabilities(), false)});
-    devices.push_back(std::move(device));
+void AttachedDevices::add(OtherDevice other, std::vector<std::unique_ptr<haptics::HapticDevice>>& devices) {
+    tools_.push_back({.word = std::move(other.word),
+                      .status = std::move(other.status),
+                      .ability = ability_of(other.device->capabilities(), false)});
+    devices.push_back(std::move(other.device));
 }
 
 Result<AttachedDevices> AttachedDevices::make(const std::string& word,
                                               std::unique_ptr<haptic::ToolDevice> first,
-                                              bool first_is_a_recording) {
+                                              bool first_is_a_recording, std::optional<OtherDevice> other) {
     AttachedDevices made;
     std::vector<std::unique_ptr<haptics::HapticDevice>> devices;
     made.first_ = first.get();
@@ -119,10 +125,11 @@ Result<AttachedDevices> AttachedDevices::make(const std::string& word,
             has_pedal = true;
         }
         if (word == kAuto || word == kInverse) {
-            made.add_inverse(devices);
+            made.add(inverse(), devices);
             has_pedal = true;
         }
     }
+    if (other) made.add(std::move(*other), devices);
     made.group_ = std::make_unique<haptics::DeviceGroup>(
         std::move(devices), haptics::DeviceGroupOptions{.chooser = {.first_yields = first_is_a_recording}});
     if (has_pedal) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,19 @@ namespace onggi::app {
 // but that.
 [[nodiscard]] bool names_a_device(const std::string& word);
 
+// A device that is no HID device.
+struct OtherDevice {
+    std::string word;  // its name until it reports one
+    std::unique_ptr<haptics::HapticDevice> device;
+    std::function<const haptics::hid::HidStatus&()> status;  // main thread
+};
+
 class AttachedDevices {
   public:
     // `first` is always present. A recording yields the tool to any device that is moved. System lacks: the
-    // device named by node or numbers is not plugged in or not supported.
+    // device named by node or numbers is not plugged in or not supported. `other`: one device more.
     static Result<AttachedDevices> make(const std::string& word, std::unique_ptr<haptic::ToolDevice> first,
-                                        bool first_is_a_recording);
+                                        bool first_is_a_recording, std::optional<OtherDevice> other = {});
 
     // Passes the devices to the haptic job; call it once. The job owns them: do not call the functions below
     // after its end.
@@ -72,7 +80,7 @@ class AttachedDevices {
     AttachedDevices() = default;
     void add(haptics::HidKind kind, const std::string& only,
              std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
-    void add_inverse(std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
+    void add(OtherDevice other, std::vector<std::unique_ptr<haptics::HapticDevice>>& devices);
 
     std::unique_ptr<haptics::DeviceGroup> group_;
     const haptics::DeviceGroup* watched_group_ = nullptr;
