@@ -348,8 +348,6 @@ class ByDeviceAndEar : private Hand, public ByEar {
     bool chooses(std::string_view words) override {
         constexpr int kMostButtons = 30;
         constexpr double kANameS = 10.0;
-        constexpr double kLowMm = 100.0;  // an arm does not rise without end
-        moves({0.0, kLowMm - hand_mm_.y, 0.0});
         if (kiosk.state().screen == kiosk::Screen::kThrow && kiosk.state().panel == kiosk::Panel::kNone &&
             !goes_until({0.0, 50.0, 0.0}, 6, "At the buttons", 120.0))
             return false;
@@ -359,11 +357,14 @@ class ByDeviceAndEar : private Hand, public ByEar {
             // Who hears nothing strokes again.
             if (!hears({}, kANameS) || !has(all.back(), words)) continue;
             strokes({0.0, 45.0, 0.0});
+            // An arm does not rise without end; after a step is shown, the tip goes on from the wheel's place.
+            moves({0.0, kLowMm - hand_mm_.y, 0.0});
             return true;
         }
         return false;
     }
-    dvec3 hand_mm_{0.0, 100.0, 100.0};
+    static constexpr double kLowMm = 100.0;
+    dvec3 hand_mm_{0.0, kLowMm, 100.0};
 };
 
 TEST_F(ByDeviceAndEar, AVisitorWhoIsShownEachStepKeepsAGoodPot) {

@@ -19,19 +19,21 @@ enum class Stroke {
 class DeviceStrokes {
   public:
     // The tip of the device, once a frame, dt_s after the last one; empty: it has other work. A stroke counts
-    // when the tip is far enough from where it last rested; the next one counts from where the tip rests
-    // after it has turned back, so that a hand may hold still at the end of a stroke to listen.
+    // when the tip is far enough from where it last rested. It is over when the tip pauses where it began, or
+    // rests. A hand may rest at the end of a stroke to listen, and go on from there: its way back is no
+    // stroke to the other side, nor is a slow one.
     [[nodiscard]] Stroke look(const std::optional<dvec3>& tip_mm, double dt_s);
 
   private:
-    [[nodiscard]] bool rests(const dvec3& tip_mm, double dt_s);
+    [[nodiscard]] bool comes_to_rest(const dvec3& tip_mm, double dt_s);
 
-    std::optional<dvec3> last_mm_;
-    double rests_s_ = 0.0;
+    std::optional<dvec3> stayed_at_mm_;
+    double stayed_s_ = 0.0;           // near there
     std::optional<dvec3> middle_mm_;  // from where a stroke counts
     dvec3 way_{0.0};                  // unit length, of the stroke that is not over; 0: none
     double farthest_mm_ = 0.0;        // along it
     bool turned_back_ = false;
+    dvec3 held_{0.0};  // the way of a stroke at whose end the tip rests
 };
 
 }  // namespace onggi::app
