@@ -13,7 +13,7 @@ packages_to_run=(
     mesa-vulkan-drivers)
 packages_to_check=(
     glslang-dev spirv-tools libgtest-dev libbenchmark-dev vulkan-validationlayers
-    xvfb xserver-xorg-core xserver-xorg-video-dummy xserver-xorg-dev xdotool x11-xserver-utils libx11-dev umockdev libumockdev-dev admesh zbar-tools curl python3 git
+    xvfb xserver-xorg-core xserver-xorg-video-dummy xserver-xorg-dev xdotool x11-xserver-utils libx11-dev umockdev libumockdev-dev libdrm-dev admesh zbar-tools curl python3 git
     systemd cage xwayland dpkg-dev qemu-user fonts-noto-cjk espeak-ng)
 # The clang of .cmake/clang.cmake. Only Debian 12 has the clang-format that the source is formatted by, and a cage that turns
 # the picture by itself.

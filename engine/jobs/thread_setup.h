@@ -38,9 +38,9 @@ struct Granted {
 // core.
 Granted keep_this_thread_off_haptic_core(const CoreChoice& choice);
 
-// The same for every thread of the process: a driver's thread that caches compiled shaders on disk allows
-// itself all cores. Before the haptic thread starts; threads that the driver starts later have the lowest
-// priority and cannot delay the haptic thread. A thread that ends meanwhile is not a refusal.
+// The same for every thread of the process: a driver's cache of shaders takes back all cores
+// (findings/mesas-shader-cache-takes-back-all-cores.sh). Before the haptic thread starts; later threads have
+// the lowest priority and cannot delay it. A thread that ends meanwhile is not a refusal.
 Granted keep_all_threads_off_haptic_core(const CoreChoice& choice);
 
 // Restricts the calling thread to these cores.

@@ -126,19 +126,21 @@ bool is_set(const char* variable) {
     return value != nullptr && *value != '\0';
 }
 
-bool has_a_card() {
-    const std::vector<fs::path> devices = list_folder("/dev/snd").entries;
+bool has_a_card(const fs::path& folder) {
+    const std::vector<fs::path> devices = list_folder(folder).entries;
     return std::any_of(devices.begin(), devices.end(), [](const fs::path& device) {
         const std::string name = device.filename().string();
         return name.starts_with("pcm") && name.ends_with("p");  // p: playback
     });
 }
 
+// PulseAudio's socket, also PipeWire's stand-in for it, or PipeWire's own, which OpenAL reaches through ALSA.
 bool has_a_server() {
+    if (is_set("PULSE_SERVER")) return true;
+    const char* const runtime = std::getenv("XDG_RUNTIME_DIR");
     std::error_code error;
-    const char* runtime = std::getenv("XDG_RUNTIME_DIR");
-    return is_set("PULSE_SERVER") ||
-           (runtime != nullptr && fs::exists(fs::path(runtime) / "pulse/native", error));
+    return runtime != nullptr && (fs::exists(fs::path(runtime) / "pulse/native", error) ||
+                                  fs::exists(fs::path(runtime) / "pipewire-0", error));
 }
 
 }  // namespace
@@ -149,8 +151,8 @@ std::unique_ptr<SoundPlace> make_openal_place() {
 
 // OpenAL's own list has a device where there is none
 // (findings/openal-lists-a-device-where-there-is-no-sound.sh).
-std::string why_no_sound() {
-    if (is_set("ALSOFT_DRIVERS") || has_a_server() || has_a_card()) return {};
+std::string why_no_sound(const fs::path& cards) {
+    if (is_set("ALSOFT_DRIVERS") || has_a_server() || has_a_card(cards)) return {};
     return "expected a sound card or a sound server, found neither";
 }
 

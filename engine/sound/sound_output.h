@@ -44,8 +44,8 @@ class SoundWork final : public jobs::IoWork {
 
   private:
     void look_for_a_player(std::int64_t now_ns);
-    // False: the device is gone.
-    [[nodiscard]] bool fill(const SoundScene& now);
+    // Blocks that the device took; an error: it is gone.
+    Result<std::size_t> fill(const SoundScene& now);
     void lose(std::int64_t now_ns, const std::string& message);
 
     std::unique_ptr<SoundPlace> place_;
@@ -56,6 +56,7 @@ class SoundWork final : public jobs::IoWork {
     SoundStatus status_;
     std::array<Sample, kBlockFrames> block_{};
     std::int64_t next_look_ns_ = 0;
+    std::int64_t last_taken_ns_ = 0;  // when the device last took a block
 };
 
 // Every method belongs to the main thread.

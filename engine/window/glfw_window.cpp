@@ -319,7 +319,8 @@ class GlfwWindow final : public Window {
         glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
     // If RandR reports no CRTC, GLFW 3.3 places a full-screen window at uninitialised coordinates, out of
-    // sight. A window without decoration then covers the display.
+    // sight (findings/glfw-full-screen-is-off-the-display-without-randr.sh). A window without decoration then
+    // covers the display.
     void come_onto_the_display() {
         GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
         const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);

@@ -101,6 +101,28 @@ TEST_F(SoundWorkTest, OutlivesADeviceThatIsPulledOut) {
     EXPECT_EQ(hall_.open_players, 1);
 }
 
+// What OpenAL shows of a sound server that ended: connected, and nothing is taken.
+TEST_F(SoundWorkTest, ClosesADeviceThatTakesNoSoundForTwoSecondsAndLooksAgain) {
+    (void)work_.round(0);
+    hall_.wanted = 0;
+    (void)work_.round(2 * kSecond);
+    EXPECT_TRUE(work_.status.latest().is_heard) << "late, not stuck";
+    hall_.wanted = 1;
+    (void)work_.round(3 * kSecond);
+    hall_.wanted = 0;
+    (void)work_.round(5 * kSecond);
+    EXPECT_EQ(hall_.open_players, 1) << "it took a block two seconds ago";
+    (void)work_.round(5 * kSecond + kSecond / 100);
+    EXPECT_EQ(hall_.open_players, 0);
+    EXPECT_FALSE(work_.status.latest().is_heard);
+    EXPECT_EQ(work_.status.latest().message, "the sound device takes no more sound");
+    hall_.wanted = kBlocksAhead;
+    (void)work_.round(36 * kSecond);
+    EXPECT_EQ(hall_.open_players, 1);
+    (void)work_.round(37 * kSecond);
+    EXPECT_TRUE(work_.status.latest().is_heard);
+}
+
 TEST_F(SoundWorkTest, FadesOutAtTheEnd) {
     work_.scene.put({.rev_min = 120.0, .volume = 1.0});
     for (int round = 0; round < 20; ++round)

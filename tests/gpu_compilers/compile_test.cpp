@@ -1,5 +1,5 @@
-// Compiles every pipeline for GPUs with Mesa's driver for AMD, without hardware. It can do no more than
-// compile: it creates no image views.
+// Compiles every pipeline for GPUs with Mesa's drivers, without hardware. It can do no more than compile: it
+// creates no image views.
 #include <gtest/gtest.h>
 
 #include "engine/render/frame/still_meshes.h"
@@ -12,7 +12,7 @@
 namespace onggi::render {
 namespace {
 
-TEST(MesasCompilerForAmd, TakesEveryShaderOfEveryStep) {
+TEST(MesasCompiler, TakesEveryShaderOfEveryStep) {
     auto opened = vk::OffscreenDevice::open();
     ASSERT_TRUE(opened) << opened.error().message;
     vk::Device& device = *opened->device;
@@ -35,7 +35,7 @@ TEST(MesasCompilerForAmd, TakesEveryShaderOfEveryStep) {
         EXPECT_NE(frame.pipelines.lathe_section.get(), VkPipeline{VK_NULL_HANDLE});
         EXPECT_NE(frame.pipelines.still.get(), VkPipeline{VK_NULL_HANDLE});
     }
-    // The driver crashes when it waits for absent hardware on destruction, so both objects are leaked until
+    // AMD's driver crashes when it waits for absent hardware on destruction, so both objects are leaked until
     // the process ends.
     static const vk::Device* const kept_device = opened->device.release();
     static const vk::Instance* const kept_instance = opened->instance.release();
