@@ -57,9 +57,10 @@ Scene beauty_sample(const Scene& scene, int index, int width_px, int height_px) 
     return sample;
 }
 
-Accumulation::Accumulation(int width_px, int height_px)
+Accumulation::Accumulation(int width_px, int height_px, int across)
     : width_px_(width_px),
       height_px_(height_px),
+      across_(across),
       light_(std::size_t{3} * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px),
              0.0F) {}
 
@@ -70,9 +71,15 @@ void Accumulation::add(std::span<const std::uint8_t> rgba) {
             values[static_cast<std::size_t>(value)] = linear_from_srgb(static_cast<float>(value) / 255.0F);
         return values;
     }();
-    for (std::size_t pixel = 0; pixel < light_.size() / 3; ++pixel) {
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            light_[3 * pixel + channel] += table[rgba[4 * pixel + channel]];
+    const std::uint8_t* from = rgba.data();
+    for (int y = 0; y < height_px_ * across_; ++y) {
+        float* to = light_.data() + std::ptrdiff_t{3} * (y / across_) * width_px_;
+        for (int x = 0; x < width_px_; ++x, to += 3) {
+            for (int k = 0; k < across_; ++k, from += 4) {
+                for (int channel = 0; channel < 3; ++channel)
+                    to[channel] += table[from[channel]];
+            }
+        }
     }
     ++count_;
 }
@@ -80,7 +87,7 @@ void Accumulation::add(std::span<const std::uint8_t> rgba) {
 asset::Image Accumulation::mean() const {
     asset::Image image{.width = width_px_, .height = height_px_, .rgba = {}};
     image.rgba.resize(light_.size() / 3 * 4, 255);
-    const float fraction = 1.0F / static_cast<float>(count_);
+    const float fraction = 1.0F / static_cast<float>(count_ * across_ * across_);
     for (std::size_t pixel = 0; pixel < light_.size() / 3; ++pixel) {
         for (std::size_t channel = 0; channel < 3; ++channel)
             image.rgba[4 * pixel + channel] = srgb_byte(fraction * light_[3 * pixel + channel]);

@@ -18,11 +18,12 @@ namespace onggi::render {
 // Encodes linear light as an 8-bit sRGB value, IEC 61966-2-1.
 [[nodiscard]] std::uint8_t srgb_byte(float light);
 
-// Averages sRGB pictures in linear light (exact sRGB curves).
+// Averages sRGB pictures in linear light (exact sRGB curves). Those added are `across` times as large each
+// way: each of their blocks of pixels becomes one pixel of the mean.
 class Accumulation {
   public:
-    Accumulation(int width_px, int height_px);
-    // Precondition: `rgba` has four bytes for each pixel of the picture.
+    Accumulation(int width_px, int height_px, int across = 1);
+    // Precondition: `rgba` has four bytes for each pixel of the larger picture.
     void add(std::span<const std::uint8_t> rgba);
     [[nodiscard]] int count() const { return count_; }
     // Precondition: count() >= 1.
@@ -31,6 +32,7 @@ class Accumulation {
   private:
     int width_px_;
     int height_px_;
+    int across_;
     int count_ = 0;
     std::vector<float> light_;  // three floats per pixel
 };

@@ -28,6 +28,7 @@ haptic::Snapshot set_view(WheelScene& scene, const haptic::Snapshot& snapshot, S
 struct StillCamera::Parts {
     int width = 0;
     int height = 0;
+    int across = 1;
     bool beauty = false;
     std::unique_ptr<vk::Instance> instance;
     std::unique_ptr<vk::Device> device;
@@ -53,32 +54,35 @@ StillCamera::~StillCamera() = default;
 
 Result<std::unique_ptr<StillCamera>> StillCamera::create(int width, int height, const StillOptions& options) {
     constexpr int kLeast = 16;
-    constexpr int kMost = 8192;
-    if (width < kLeast || height < kLeast || width > kMost || height > kMost) {
+    const int most = kMostStillPx / options.across;
+    if (width < kLeast || height < kLeast || width > most || height > most) {
         return bad_input(fmt::format("picture size: expected {0} to {1} pixels each way, found {2}x{3}",
-                                     kLeast, kMost, width, height));
+                                     kLeast, most, width, height));
     }
     std::unique_ptr<StillCamera> camera(new StillCamera);
     Parts& parts = *camera->parts_;
     parts.width = width;
     parts.height = height;
+    parts.across = options.across;
     parts.beauty = options.beauty;
+    const int drawn_width = width * options.across;
+    const int drawn_height = height * options.across;
     auto drawn_by = vk::OffscreenDevice::open({.validation = options.validation});
     if (!drawn_by) return drawn_by.error();
     parts.instance = std::move(drawn_by->instance);
     parts.device = std::move(drawn_by->device);
     auto target = vk::Offscreen::create(
-        *parts.device, {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)});
+        *parts.device, {static_cast<std::uint32_t>(drawn_width), static_cast<std::uint32_t>(drawn_height)});
     if (!target) return target.error();
     parts.target = std::move(*target);
     constexpr bool kOnProcessor = true;
-    const render::RendererDesc desc = options.quick
-                                          ? render::live_desc(parts.target->format(), kOnProcessor, height)
-                                          : render::still_desc(parts.target->format());
+    const render::RendererDesc desc =
+        options.quick ? render::live_desc(parts.target->format(), kOnProcessor, drawn_height)
+                      : render::still_desc(parts.target->format());
     auto renderer = render::Renderer::create(*parts.device, desc);
     if (!renderer) return renderer.error();
     parts.renderer = std::move(*renderer);
-    parts.opened = open_scene(options.workshop, width, height);
+    parts.opened = open_scene(options.workshop, drawn_width, drawn_height);
     return camera;
 }
 
@@ -94,11 +98,14 @@ Result<asset::Image> StillCamera::take(const haptic::Snapshot& snapshot, StillVi
     Parts& parts = *parts_;
     asset::Image image{.width = parts.width, .height = parts.height, .rgba = {}};
     const haptic::Snapshot shown = set_view(scene(), snapshot, view);
-    const render::Scene& seen = scene().apply(shown, parts.width, parts.height);
-    if (parts.beauty) {
-        render::Accumulation mean(parts.width, parts.height);
-        for (int sample = 0; sample < kBeautySamples; ++sample) {
-            auto pixels = parts.draw(render::beauty_sample(seen, sample, parts.width, parts.height));
+    const int drawn_width = parts.width * parts.across;
+    const int drawn_height = parts.height * parts.across;
+    const render::Scene& seen = scene().apply(shown, drawn_width, drawn_height);
+    if (parts.beauty || parts.across > 1) {
+        render::Accumulation mean(parts.width, parts.height, parts.across);
+        for (int sample = 0; sample < (parts.beauty ? kBeautySamples : 1); ++sample) {
+            auto pixels = parts.draw(
+                parts.beauty ? render::beauty_sample(seen, sample, drawn_width, drawn_height) : seen);
             if (!pixels) return pixels.error();
             mean.add(*pixels);
         }

@@ -13,6 +13,7 @@
 namespace onggi::wheel {
 
 constexpr int kBeautySamples = 48;
+constexpr int kMostStillPx = 8192;  // of either side, as drawn
 
 // The content of a picture.
 enum class StillView {
@@ -30,13 +31,16 @@ struct StillOptions {
     // Draws as the live window does with the CPU backend, on any device: ten times as fast, and coarser: one
     // sample per pixel, with smoothed outlines.
     bool quick = false;
+    // Draws the picture so many times as large each way, and averages each pixel's block in linear light.
+    int across = 1;
     bool validation = false;  // with VK_LAYER_KHRONOS_validation; any message is then an error
 };
 
 // Takes pictures of one size, one after another; shared resources are created once.
 class StillCamera {
   public:
-    // width and height in pixels, 16 to 8192 each, else bad input. Without a Vulkan device: system lacks.
+    // width and height in pixels, 16 to kMostStillPx each, else bad input; so as they are drawn. Without a
+    // Vulkan device: system lacks.
     static Result<std::unique_ptr<StillCamera>> create(int width, int height,
                                                        const StillOptions& options = {});
     ~StillCamera();

@@ -43,8 +43,8 @@ struct FilmDesc {
     double seconds = 8.0;                        // kLeastFilmS to kLongestFilmS
     clay::Firing finished = clay::Firing::kWet;  // the stage in its last part
     std::size_t most_bytes = 1'500'000;          // of the file
-    // Draws like the CPU backend of the live window (see wheel::StillOptions), while a kiosk runs. Otherwise
-    // each picture equals the screenshot of its tick, to the byte.
+    // Draws like the CPU backend of the live window (see wheel::StillOptions), while a kiosk runs, and
+    // averages three pixels each way. Otherwise each picture equals the screenshot of its tick, to the byte.
     bool quick = false;
     bool as_mp4 = false;  // for take_mp4()
 };

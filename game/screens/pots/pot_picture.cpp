@@ -22,8 +22,8 @@ PotExtent pot_extent(const pot::Section& shape, float px_per_mm, float elevation
 }
 
 PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
-                     float elevation_rad, double turn) {
-    const LitPot pot(shape, glaze, px_per_mm, elevation_rad, turn);
+                     float elevation_rad, double turn, int samples_across) {
+    const LitPot pot(shape, glaze, px_per_mm, elevation_rad, turn, samples_across);
     PotPicture picture{.painting = empty_painting(pot.view.extent()), .foot_px = pot.view.extent().foot_px};
     paint_view(pot.view, pot, turn, picture.painting);
     return picture;

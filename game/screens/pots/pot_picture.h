@@ -22,8 +22,14 @@ struct PotPicture {
     vec2 foot_px{0.0F};
 };
 
+// Samples per pixel in each direction: of the screens' pictures, and of those that leave the kiosk, which
+// have time. Fewer break ridges that are finer than a pixel into dots.
+constexpr int kScreenSamples = 2;
+constexpr int kLeavingSamples = 4;
+
 // elevation_rad: of the eye above the horizon. The pot is turned by `turn` turns.
 [[nodiscard]] PotPicture paint_pot(const pot::Section& shape, const finish::GlazeMaterial& glaze,
-                                   float px_per_mm, float elevation_rad, double turn = 0.0);
+                                   float px_per_mm, float elevation_rad, double turn = 0.0,
+                                   int samples_across = kScreenSamples);
 
 }  // namespace onggi::screens

@@ -113,17 +113,17 @@ vec3 PotColours::at(float row, float column) const {
 }
 
 LitPot::LitPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
-               float elevation_rad, double turn)
+               float elevation_rad, double turn, int samples_across)
     : drawn_on(shape),
       shading(glaze, shape.height_mm(), elevation_rad, drawn_on),
-      view(shape, px_per_mm, elevation_rad, static_cast<float>(turn)),
+      view(shape, px_per_mm, elevation_rad, static_cast<float>(turn), samples_across),
       colours(shape.height_mm(), glaze, shading, view.extent(), drawn_on.texture() != nullptr) {}
 
 void add_pixels(const PotSamples& samples, const LitPot& pot, std::vector<PotPixel>& pixels) {
-    constexpr int kSamples = kSamplesAcross * kSamplesAcross;
-    const int first_row = samples.top / kSamplesAcross;
-    const int width = samples.width / kSamplesAcross;
-    for (int y = 0; y < samples.height / kSamplesAcross; ++y) {
+    const auto whole = static_cast<float>(samples.across * samples.across);
+    const int first_row = samples.top / samples.across;
+    const int width = samples.width / samples.across;
+    for (int y = 0; y < samples.height / samples.across; ++y) {
         for (int x = 0; x < width; ++x) {
             PotPixel pixel;
             std::optional<bool> inside;
@@ -140,7 +140,7 @@ void add_pixels(const PotSamples& samples, const LitPot& pot, std::vector<PotPix
             if (count == 0) continue;
             pixel.factor /= static_cast<float>(count);
             pixel.gloss /= static_cast<float>(count);
-            pixel.cover = static_cast<float>(count) / kSamples;
+            pixel.cover = static_cast<float>(count) / whole;
             pixel.place = 4U * static_cast<std::uint32_t>((first_row + y) * width + x);
             pixels.push_back(pixel);
         }

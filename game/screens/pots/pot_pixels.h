@@ -57,7 +57,7 @@ struct PotPixel {
 // A finished pot in one view and one light.
 struct LitPot {
     LitPot(const pot::Section& shape, const finish::GlazeMaterial& glaze, float px_per_mm,
-           float elevation_rad, double turn = 0.0);
+           float elevation_rad, double turn = 0.0, int samples_across = kScreenSamples);
     LitPot(const LitPot&) = delete;  // its shading points to its decoration
     LitPot& operator=(const LitPot&) = delete;
 

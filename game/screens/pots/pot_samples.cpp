@@ -40,7 +40,7 @@ class Canvas {
             std::min(into_.top + into_.height - 1, static_cast<int>(std::max({a.px.y, b.px.y, c.px.y})) + 1);
         for (int y = top; y <= bottom; ++y) {
             for (int x = left; x <= right; ++x) {
-                const vec2 p(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+                const vec2 p = place_of(x, y);
                 const float u = cross(b.px - p, c.px - p) / area;
                 const float v = cross(c.px - p, a.px - p) / area;
                 const float w = 1.0F - u - v;
@@ -64,6 +64,15 @@ class Canvas {
     }
 
   private:
+    // On a grid that is turned within each pixel: none of its samples share a row or a column, so that lines
+    // along either, as ridges seen from the front are, pass as many of them as there are.
+    [[nodiscard]] vec2 place_of(int x, int y) const {
+        const int across = into_.across;
+        const auto part = [&](int k) { return (static_cast<float>(k) + 0.5F) / static_cast<float>(across); };
+        return {static_cast<float>(x) + part(y % across),
+                static_cast<float>(y) + part(across - 1 - x % across)};
+    }
+
     PotSamples& into_;
     std::vector<float> depth_;
 };
@@ -141,8 +150,10 @@ pot::Walk walk_of(const pot::Section& shape, float px_per_mm) {
 
 }  // namespace
 
-PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad, float turn)
-    : extent_(pot_extent(shape, px_per_mm, elevation_rad)) {
+PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad, float turn,
+                 int samples_across)
+    : samples_across_(samples_across),
+      extent_(pot_extent(shape, px_per_mm, elevation_rad)) {
     pot::Walk walk = walk_of(shape, px_per_mm);
     if (walk.rows.empty()) return;
     const int corners = corners_of(shape.radius_mm() * px_per_mm);
@@ -151,10 +162,11 @@ PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad
     pot::SurfaceBuilder surface(corners, true);
     surface.add_walk(walk);
     surface.finish_normals();
-    const float scale = px_per_mm * kSamplesAcross;
+    const auto across = static_cast<float>(samples_across);
+    const float scale = px_per_mm * across;
     const float sine = std::sin(elevation_rad);
     const float cosine = std::cos(elevation_rad);
-    const vec2 origin = extent_.foot_px * static_cast<float>(kSamplesAcross);
+    const vec2 origin = extent_.foot_px * across;
     // The first corner is at the back, where the seam between it and the last one is hidden.
     const auto turned = [](const dvec3& way) { return vec3(way.z, way.y, -way.x); };
     corners_.resize(surface.positions_mm.size());
@@ -174,9 +186,10 @@ PotView::PotView(const pot::Section& shape, float px_per_mm, float elevation_rad
 }
 
 PotSamples PotView::samples(const PotBand& band) const {
-    PotSamples samples{.width = extent_.width_px * kSamplesAcross,
-                       .height = std::min(band.height_px, extent_.height_px - band.top_px) * kSamplesAcross,
-                       .top = band.top_px * kSamplesAcross};
+    PotSamples samples{.width = extent_.width_px * samples_across_,
+                       .height = std::min(band.height_px, extent_.height_px - band.top_px) * samples_across_,
+                       .top = band.top_px * samples_across_,
+                       .across = samples_across_};
     samples.surface.resize(static_cast<std::size_t>(samples.width) *
                            static_cast<std::size_t>(samples.height));
     samples.covered.resize(samples.surface.size(), 0);

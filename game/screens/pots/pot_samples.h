@@ -1,6 +1,7 @@
 // The visible samples of a pot's surface: a depth buffer on the processor. Any thread; pure.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -10,14 +11,12 @@
 
 namespace onggi::screens {
 
-// Samples per pixel in each direction.
-constexpr int kSamplesAcross = 2;
-
 // The samples of the picture or of a band.
 struct PotSamples {
     int width = 0;  // in samples, a whole number of pixels
     int height = 0;
-    int top = 0;  // its first row of samples in the picture
+    int top = 0;     // its first row of samples in the picture
+    int across = 1;  // samples per pixel in each direction
     std::vector<PotSurface> surface{};
     std::vector<char> covered{};
 
@@ -25,10 +24,10 @@ struct PotSamples {
     template <typename Visit>
     int visit_pixel(int x, int y, Visit visit) const {
         int count = 0;
-        for (int k = 0; k < kSamplesAcross * kSamplesAcross; ++k) {
-            const std::size_t at = static_cast<std::size_t>(y * kSamplesAcross + k / kSamplesAcross) *
-                                       static_cast<std::size_t>(width) +
-                                   static_cast<std::size_t>(x * kSamplesAcross + k % kSamplesAcross);
+        for (int k = 0; k < across * across; ++k) {
+            const std::size_t at =
+                static_cast<std::size_t>(y * across + k / across) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x * across + k % across);
             if (covered[at] == 0) continue;
             visit(surface[at]);
             ++count;
@@ -37,8 +36,8 @@ struct PotSamples {
     }
 };
 
-// Rows of pixels per band. A band takes 1 or 2 MB, a whole large picture 30 MB.
-constexpr int kBandPx = 32;
+// Rows of samples per band. A band of a large picture takes 5 MB, all of its samples 80 MB.
+constexpr int kBandRows = 64;
 
 // Rows of pixels.
 struct PotBand {
@@ -50,15 +49,17 @@ struct PotBand {
 // built once, the samples per band. A sample is bit-identical in every band.
 class PotView {
   public:
-    PotView(const pot::Section& shape, float px_per_mm, float elevation_rad, float turn = 0.0F);
+    PotView(const pot::Section& shape, float px_per_mm, float elevation_rad, float turn = 0.0F,
+            int samples_across = kScreenSamples);
 
     [[nodiscard]] const PotExtent& extent() const { return extent_; }
     [[nodiscard]] PotSamples samples(const PotBand& band = {}) const;
-    // Calls visit(samples) for each band of kBandPx rows, from the top.
+    // Calls visit(samples) for each band of some kBandRows rows, from the top.
     template <typename Visit>
     void visit_bands(Visit visit) const {
-        for (int top = 0; top < extent_.height_px; top += kBandPx)
-            visit(samples({top, kBandPx}));
+        const int band_px = std::max(1, kBandRows / samples_across_);
+        for (int top = 0; top < extent_.height_px; top += band_px)
+            visit(samples({top, band_px}));
     }
 
     struct Corner {
@@ -68,6 +69,7 @@ class PotView {
     };
 
   private:
+    int samples_across_;
     PotExtent extent_;
     std::vector<Corner> corners_;
     std::vector<std::uint32_t> indices_;  // of triangles; back faces are hidden by front faces

@@ -30,6 +30,17 @@ TEST(Accumulation, MixesLightAndNotNumbers) {
     EXPECT_EQ(mean.mean().rgba, (std::vector<std::uint8_t>{188, 188, 188, 255}));
 }
 
+TEST(Accumulation, MixesBlocksOfALargerPicture) {
+    Accumulation mean(2, 1, 2);
+    std::vector<std::uint8_t> picture;
+    for (const int value : {0, 255, 90, 90, 255, 0, 90, 90}) {  // two rows of four
+        for (int channel = 0; channel < 4; ++channel)
+            picture.push_back(static_cast<std::uint8_t>(channel == 3 ? 255 : value));
+    }
+    mean.add(picture);
+    EXPECT_EQ(mean.mean().rgba, (std::vector<std::uint8_t>{188, 188, 188, 255, 90, 90, 90, 255}));
+}
+
 TEST(EightBits, RoundsAsTheLibraryDoes) {
     for (int step = -20; step <= 255 * 64 + 20; ++step) {
         const float exact = static_cast<float>(step) / (255.0F * 64.0F);

@@ -50,14 +50,14 @@ TEST(PotPicture, IsSampledAlikeInBandsAndAtOnce) {
     constexpr float kPxPerMm = 1.3F;
     const PotView view(moon_jar(), kPxPerMm, 0.3F);
     const PotSamples whole = view.samples();
-    const int height_px = whole.height / kSamplesAcross;
+    const int height_px = whole.height / kScreenSamples;
     int covered = 0;
     for (int top_px = 0; top_px < height_px; top_px += 100) {
         const PotSamples band = view.samples({top_px, 100});
         ASSERT_EQ(band.width, whole.width);
-        ASSERT_EQ(band.height, std::min(100, height_px - top_px) * kSamplesAcross);
+        ASSERT_EQ(band.height, std::min(100, height_px - top_px) * kScreenSamples);
         const auto first =
-            static_cast<std::size_t>(top_px * kSamplesAcross) * static_cast<std::size_t>(whole.width);
+            static_cast<std::size_t>(top_px * kScreenSamples) * static_cast<std::size_t>(whole.width);
         for (std::size_t i = 0; i < band.covered.size(); ++i) {
             ASSERT_EQ(band.covered[i], whole.covered[first + i]) << top_px << ", " << i;
             if (band.covered[i] == 0) continue;
@@ -81,6 +81,26 @@ TEST(PotPicture, ShowsTheRimAsTheFlatRingThatItIs) {
     }
     EXPECT_GT(on_rim, 10'000) << "of 2,061 mm2, seen from 34 degrees above, 16 samples a mm2";
     EXPECT_LT(not_flat, 20) << "on the very edge of the wall";
+}
+
+// As a wall that collapses: ridges finer than a pixel, which few samples break into dots.
+TEST(PotPicture, ThatLeavesShowsRidgesFinerThanItsPixels) {
+    pot::Section ridged;
+    for (int i = 0; i <= 300; ++i)
+        ridged.outside.push_back({60.0F + 1.2F * static_cast<float>(i % 2), 0.4F * static_cast<float>(i)});
+    const auto painted = [&](int samples_across) {
+        return paint_pot(ridged, finish::glaze_at(5), 1.0F, 0.2F, 0.0, samples_across).painting;
+    };
+    constexpr int kExact = 16;
+    const ui::Painting exact = painted(kExact);
+    const auto off = [&](int samples_across) {
+        const ui::Painting painting = painted(samples_across);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < exact.rgba.size(); i += 4)
+            sum += std::abs(int{painting.rgba[i]} - int{exact.rgba[i]});
+        return sum;
+    };
+    EXPECT_LT(off(kLeavingSamples), 0.6 * off(kScreenSamples));
 }
 
 TEST(PotPicture, IsWholeWithNoHoleInItsMiddle) {

@@ -36,7 +36,7 @@ ui::Painting shaded_by_sample(const pot::Section& shape, const finish::GlazeMate
     const PotShading shading(glaze, shape.height_mm(), elevation_rad, drawn_on);
     const PotView view(shape, px_per_mm, elevation_rad);
     const PotSamples samples = view.samples();
-    constexpr int kSamples = kSamplesAcross * kSamplesAcross;
+    constexpr int kSamples = kScreenSamples * kScreenSamples;
     ui::Painting painting{.width = view.extent().width_px, .height = view.extent().height_px, .rgba = {}};
     for (int y = 0; y < painting.height; ++y) {
         for (int x = 0; x < painting.width; ++x) {

@@ -199,7 +199,8 @@ asset::Image share_poster(const pot::Section& shape, int glaze, int side_px) {
     const float tall_mm = 0.5F * shape.height_mm() * std::cos(kElevationRad) + across;
     const float half_mm = std::max({tall_mm * kAbove / (1.0F - kBoard), shape.radius_mm() * kBeside, 1.0F});
     const float scale = 0.5F * side / half_mm;
-    screens::PotPicture pot = screens::paint_pot(shape, finish::glaze_at(glaze), scale, kElevationRad);
+    screens::PotPicture pot = screens::paint_pot(shape, finish::glaze_at(glaze), scale, kElevationRad, 0.0,
+                                                 screens::kLeavingSamples);
     const vec2 foot(0.5F * side, side * (1.0F - kBoard) - across * scale);
     ui::Picture picture;
     picture.hash = shape.hash();

@@ -196,7 +196,8 @@ ui::Painting portrait(const pot::Section& shape, int glaze, int side_px) {
     const auto side = static_cast<float>(side_px);
     const float scale = std::min(0.62F * side / std::max(1.0F, 2.0F * shape.radius_mm()),
                                  0.66F * side / std::max(1.0F, shape.height_mm()));
-    screens::PotPicture pot = screens::paint_pot(shape, finish::glaze_at(glaze), scale, 0.2F);
+    screens::PotPicture pot =
+        screens::paint_pot(shape, finish::glaze_at(glaze), scale, 0.2F, 0.0, screens::kLeavingSamples);
     ui::Sketch sketch;
     sketch.size = vec2(side);
     sketch.add(ui::Box{{0.0F, 0.0F, side, side}, 0.0F, ui::Fill::flat(ui::hex(0x281e16))});
