@@ -357,7 +357,8 @@ class ByDeviceAndEar : private Hand, public ByEar {
             // Who hears nothing strokes again.
             if (!hears({}, kANameS) || !has(all.back(), words)) continue;
             strokes({0.0, 45.0, 0.0});
-            // An arm does not rise without end; after a step is shown, the tip goes on from the wheel's place.
+            // An arm does not rise without end; after a step is shown, the tip goes on from the wheel's
+            // place.
             moves({0.0, kLowMm - hand_mm_.y, 0.0});
             return true;
         }
