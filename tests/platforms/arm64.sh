@@ -17,7 +17,7 @@ done
 install_packages crossbuild-essential-arm64 "${tools[@]}"
 list=$(printf ', %s' "${libraries[@]}")
 say "installing libraries for arm64"
-apt-get -qq -a arm64 satisfy -y --no-install-recommends "${list:2}" >/dev/null
+quietly apt-get -qq -a arm64 satisfy -y --no-install-recommends "${list:2}"
 if [ $# -gt 0 ]; then
     build arm64 -DONGGI_TESTS=ON -- "$@"
     exit
