@@ -27,6 +27,15 @@ packages_for_swiftshader=(chromium)
 packages_for_slicer=(prusa-slicer)
 packages_for_packages=(mmdebstrap lintian desktop-file-utils appstream man-db groff)
 
+# quietly COMMAND...: prints what the command prints only if it fails, and fails with its exit code. apt explains on its
+# standard output why packages cannot be installed together.
+quietly() {
+    local printed status=0
+    printed=$("$@" 2>&1) || status=$?
+    [ "$status" -eq 0 ] || printf '%s\n' "$printed" >&2
+    return "$status"
+}
+
 # install_packages NAME...: installs missing packages, after a message.
 install_packages() {
     command -v dpkg-query >/dev/null || { say "not a Debian system: taking it that these are installed: $*"; return; }
@@ -42,8 +51,8 @@ install_packages() {
     fi
     say "installing Debian packages: ${missing[*]}"
     local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -qq)
-    "${as_root[@]}" "${apt[@]}" update >/dev/null || say "the package lists could not be refreshed; trying with those there are"
-    "${as_root[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >/dev/null ||
+    quietly "${as_root[@]}" "${apt[@]}" update || say "the package lists could not be refreshed; trying with those there are"
+    quietly "${as_root[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@]}" ||
         die 3 "these Debian packages could not be installed: ${missing[*]}"
 }
 

@@ -58,7 +58,8 @@ install(DIRECTORY docs DESTINATION share/doc/onggi)
 # Entries for menus and shells. The program itself generates its manual page and completion at installation.
 install(FILES assets/manual/onggi.desktop DESTINATION share/applications)
 install(FILES assets/manual/onggi.svg DESTINATION share/icons/hicolor/scalable/apps)
-install(CODE "set(onggi_program $<TARGET_FILE:onggi>)" ALL_COMPONENTS)
+# With the emulator of a cross build, because the program writes its own manual.
+install(CODE "set(onggi_program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:onggi>)" ALL_COMPONENTS)
 install(CODE [[
     set(made ${build}/install)
     include(${source}/.cmake/manual.cmake)

@@ -14,6 +14,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/../packages/root.sh"
 mount -t proc proc /proc  # of this namespace
 
 [ -e "$cache/is-unpacked" ] || { rm -rf --one-file-system "$root"; unpack_bare_debian; touch "$cache/is-unpacked"; }
+# Tests run the clone's program as other users too.
+chmod a+x "$root/root"
 # Of git, because a copy of the files alone would have no commit to name the packages by.
 clone=$root/root/onggi
 [ -d "$clone" ] || git clone -q . "$clone"

@@ -134,6 +134,25 @@ inline void fill_disk_after(const std::string& folder, std::size_t bytes) {
     if (!mount_small_disk(folder, bytes)) limit_file_size(bytes);
 }
 
+// The registers of a system call that was handed to this program: its argument `at`, 0 or 1, and its result
+// (System V ABI, AMD64, A.2.1; on arm64 Linux's own convention, syscall(2)).
+inline long call_argument(const void* context, int at) {
+    const auto& machine = static_cast<const ucontext_t*>(context)->uc_mcontext;
+#ifdef __aarch64__
+    return static_cast<long>(machine.regs[at]);
+#else
+    return machine.gregs[at == 0 ? REG_RDI : REG_RSI];
+#endif
+}
+inline void set_call_result(void* context, long result) {
+    auto& machine = static_cast<ucontext_t*>(context)->uc_mcontext;
+#ifdef __aarch64__
+    machine.regs[0] = static_cast<unsigned long long>(result);
+#else
+    machine.gregs[REG_RAX] = result;
+#endif
+}
+
 // In a child: from now on a folder is read a few names at a time, and the disk fails after `pieces` such
 // pieces, those of all folders together. The kernel hands each getdents64 to this program, which asks again
 // for less (an odd size, which is let through) or answers EIO. False where the kernel does not do that.
@@ -144,14 +163,13 @@ inline bool fail_listings_after(int pieces) {
     struct sigaction answer {};
     answer.sa_flags = SA_SIGINFO;
     answer.sa_sigaction = [](int, siginfo_t*, void* context) {
-        greg_t* const registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
         constexpr long kFewBytes = 255;
         long read = -EIO;
         if (pieces_before_the_disk_fails-- > 0) {
-            read = ::syscall(SYS_getdents64, registers[REG_RDI], registers[REG_RSI], kFewBytes);
+            read = ::syscall(SYS_getdents64, call_argument(context, 0), call_argument(context, 1), kFewBytes);
             if (read < 0) read = -errno;
         }
-        registers[REG_RAX] = read;
+        set_call_result(context, read);
     };
     ::sigaction(SIGSYS, &answer, nullptr);
     // Fields of struct seccomp_data; the third argument's lower half says how much is read.
@@ -177,11 +195,10 @@ inline bool refuse_folder_syncs(int error) {
     struct sigaction answer {};
     answer.sa_flags = SA_SIGINFO;
     answer.sa_sigaction = [](int, siginfo_t*, void* context) {
-        greg_t* const registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
-        const int descriptor = static_cast<int>(registers[REG_RDI]);
+        const int descriptor = static_cast<int>(call_argument(context, 0));
         struct stat status {};
         const bool is_folder = ::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
-        registers[REG_RAX] = is_folder ? -error_of_folder_syncs : ::fdatasync(descriptor);
+        set_call_result(context, is_folder ? -error_of_folder_syncs : ::fdatasync(descriptor));
     };
     ::sigaction(SIGSYS, &answer, nullptr);
     constexpr unsigned kNumberAt = 0;  // in struct seccomp_data

@@ -64,7 +64,13 @@ idle_s = 600
 folder = "gallery"
 least_free_mb = 1
 TOML
-[ -z "${SHARES:-}" ] || source "$here/phone.sh"
+# A gallery of several days, unless its pots are looked at as well.
+if [ -n "${SHARES:-}" ]; then
+    source "$here/phone.sh"
+elif [ -z "${OPENS:-}" ]; then
+    mkdir -p gallery/2026-01-02/pot-001
+    for file in pot.glb pot.png; do echo "another visitor's" >"gallery/2026-01-02/pot-001/$file"; done
+fi
 open_kiosk() {
     local words=("${as_usual[@]}" "$onggi" kiosk --config kiosk.toml --size "$size")
     if [ "$hand" = gamepad ] || [ "$hand" = spacemouse ]; then
@@ -257,6 +263,18 @@ turn_the_foot() {
 }
 is_asked() { [[ "$(title)" == "Onggi - throw"*", asks"* ]]; }
 has_answered_done() { is_asked || [[ "$(title)" == "Onggi - firing"* ]]; }
+# The folders of all whole pots; the kiosk writes them as pot-NNN.part. A gallery may have several days.
+kept_pots() {
+    local picture
+    for picture in gallery/*-*-*/pot-*[0-9]/pot.png; do
+        [ ! -s "$picture" ] || dirname "$picture"
+    done
+}
+# is_kept BEFORE: whether a pot has come that the list lacks; sets `pot` to its folder.
+is_kept() {
+    pot=$(comm -13 <(printf '%s\n' "$1") <(kept_pots))
+    [ -n "$pot" ]
+}
 # From the wheel to the shelf, where the result must be a pot; then ends the kiosk.
 keep_the_pot() {
     local top
@@ -270,11 +288,10 @@ keep_the_pot() {
     on_screen firing; on_screen glaze
     press glaze-0 glaze 2; pause 5; on_screen glaze
     press glaze-2 take-glaze; on_screen your-pot
+    local file before verdict status=0
+    before=$(kept_pots)
     press your-pot keep; on_screen keep
-    is_kept() { test -s gallery/*-*-*/pot-001/pot.png; }
-    wait_for "kept pot" is_kept
-    pot=$(dirname gallery/*-*-*/pot-001/pot.png)
-    local file verdict status=0
+    wait_for "kept pot" is_kept "$before"
     for file in pot.onggi pot.glb pot.stl pot.3mf pot.png; do
         [ -s "$pot/$file" ] || fail "expected $pot/$file, found none"
     done

@@ -206,6 +206,9 @@ using sharing::ShareAnswer;
 
 // Memory per connection: a request's header and its answer's header must fit in here.
 constexpr std::size_t kConnectionBytes = sharing::kMostHeadBytes;
+// Of libmicrohttpd. The gate refuses what can be read in two ways; 1.0 at 1 also refuses what RFC 9112, 2.2
+// and 3, let a server accept, 0.9.75 does not.
+constexpr int kStrictness = MHD_VERSION < 0x01000000 ? 1 : 0;
 constexpr unsigned kSilentS = 15;  // a fallback: the deadlines are shorter
 constexpr double kSweepS = 0.25;
 
@@ -315,7 +318,7 @@ class MicroServer final : public ShareServer {
             &MicroServer::answer_to, this, MHD_OPTION_CONNECTION_LIMIT, most_connections_,
             MHD_OPTION_PER_IP_CONNECTION_LIMIT, options_.most_connections_an_address,
             MHD_OPTION_CONNECTION_TIMEOUT, kSilentS, MHD_OPTION_CONNECTION_MEMORY_LIMIT, kConnectionBytes,
-            MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_SIGPIPE_HANDLED_BY_APP, 1,
+            MHD_OPTION_STRICT_FOR_CLIENT, kStrictness, MHD_OPTION_SIGPIPE_HANDLED_BY_APP, 1,
             MHD_OPTION_UNESCAPE_CALLBACK, &MicroServer::leave_as_it_is, nullptr, MHD_OPTION_URI_LOG_CALLBACK,
             &MicroServer::note_target, this, MHD_OPTION_NOTIFY_CONNECTION, &MicroServer::connection_changed,
             this, MHD_OPTION_NOTIFY_COMPLETED, &MicroServer::request_done, this, MHD_OPTION_END);

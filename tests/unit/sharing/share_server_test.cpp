@@ -175,8 +175,14 @@ TEST_F(ShareServerAtWork, RefusesMoreShortFieldsThanItsMemoryHolds) {
 }
 
 TEST_F(ShareServerAtWork, AnswersWhatIsUnusualAndAllowed) {
-    for (const test::HeadCase& one : test::answered_heads())
-        EXPECT_EQ(status_of(one.bytes), one.status) << one.section;
+    const std::string_view spaces = "3: two spaces before the target";
+    for (const test::HeadCase& one : test::answered_heads()) {
+        int status = status_of(one.bytes);
+        // A server may answer such a line by sending the client to the right target (RFC 9112, 3);
+        // libmicrohttpd 1.0 does.
+        if (one.section == spaces && status == 301) status = one.status;
+        EXPECT_EQ(status, one.status) << one.section;
+    }
 }
 
 // Sent ahead: each is answered in its turn, and what follows a bad one is not.
