@@ -594,7 +594,7 @@ std::vector<std::byte> Painter::draw_vectors(const Sketch& sketch, VectorKind ki
     const Surface surface(is_pdf ? cairo_pdf_surface_create_for_stream(append, &file, width, height)
                                  : cairo_svg_surface_create_for_stream(append, &file, width, height));
     if (is_pdf) {
-        // Of PDF 1.5 cairo 1.18 packs the properties into a compressed stream, 1.16 does not.
+        // cairo 1.18 compresses the properties in files of PDF 1.5, where simple readers do not find them.
         cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
         if (!subject.empty())
