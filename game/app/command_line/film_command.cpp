@@ -168,8 +168,7 @@ void add_film_command(CLI::App& program, int& exit_status) {
         ->type_name("F.webp");
     command->add_option("--mp4", options->mp4, "the same film as MP4, which loops, for phones and messengers")
         ->type_name("F.mp4");
-    command->add_flag("--quick", options->quick,
-                      "draw like the live window, in a third of the time");
+    command->add_flag("--quick", options->quick, "draw like the live window, in a third of the time");
     command->callback([options, &exit_status] { exit_status = exit_code(make_film(*options)); });
 }
 
