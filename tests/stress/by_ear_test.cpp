@@ -364,7 +364,7 @@ class ByDeviceAndEar : private Hand, public ByEar {
     dvec3 hand_mm_{0.0, 100.0, 100.0};
 };
 
-// Run by hand: it came to its end in two runs of three on busy machines only.
+// Run by hand: it comes to its end in some runs only.
 TEST_F(ByDeviceAndEar, DISABLED_AVisitorWhoIsShownEachStepKeepsAGoodPot) {
     ASSERT_NO_FATAL_FAILURE(comes());
     ASSERT_TRUE(hears("The device in your hand", 90.0));
