@@ -81,9 +81,11 @@ HandSample DeviceGroup::read(std::uint64_t tick, double dt_s) noexcept {
     if (holder_ != before) {
         shown_holder_.store(holder_, std::memory_order_relaxed);
         // A finger's position on its plane usually lies inside the work, so the tool starts from a point in
-        // front of the work.
+        // front of the work; at the device's own height and side, so that an arm that gives the tool away and
+        // takes it back again and again does not wander.
         if (last_.on_screen) {
-            last_.position_mm.z = kBeforeWorkMm;
+            const dvec3& own_mm = samples_[holder_].position_mm;
+            last_.position_mm = {own_mm.x, own_mm.y, kBeforeWorkMm};
             last_.on_screen = false;
         }
         // From an invalid position there is no path: the new holder begins at its own position.

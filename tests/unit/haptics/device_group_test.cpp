@@ -251,7 +251,7 @@ TEST_F(DeviceGroupTest, ADeviceThatComesInTheMidstOfATouchIsABallThatComesFromBe
     EXPECT_FALSE(first.on_screen) << "not a finger in the clay, for no tick";
     EXPECT_GT(first.position_mm.z, 150.0);
     ASSERT_TRUE(stick_.took_over_mm);
-    EXPECT_GT(stick_.took_over_mm->z, 150.0);
+    EXPECT_EQ(*stick_.took_over_mm, dvec3(70.0, 60.0, 180.0)) << "at its own height and side";
     EXPECT_EQ(after(1.0).position_mm, stick_.sample.position_mm);
     // And back: a finger's position applies at once, without an approach.
     stick_.is_moving = false;
