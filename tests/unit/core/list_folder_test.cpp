@@ -56,7 +56,9 @@ TEST(ListFolder, KeepsItsEntriesIfTheDiskFails) {
                    (listing.is_whole() ? std::string() : "; " + listing.error.message());
         });
     };
-    if (listed_after(0) == "no such kernel") GTEST_SKIP() << "an emulated processor filters no system calls";
+#ifdef __aarch64__
+    if (listed_after(0) == "no such kernel") GTEST_SKIP() << "qemu-user filters no system calls";
+#endif
     EXPECT_EQ(listed_after(0), "none; Input/output error");
     EXPECT_EQ(listed_after(3), "some; Input/output error");
     EXPECT_EQ(listed_after(1000), "all");
